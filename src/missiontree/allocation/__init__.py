@@ -1,0 +1,1 @@
+"""Grounded tree to the k best alternatives."""

@@ -1,0 +1,1 @@
+"""Plan to findings, by code that shares nothing with the solvers."""

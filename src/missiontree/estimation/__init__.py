@@ -1,0 +1,1 @@
+"""How well, how long and how far: what one robot needs for one action in this scene."""

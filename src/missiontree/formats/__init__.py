@@ -1,0 +1,1 @@
+"""Files to values and back: safe reading, errors with lines, one JSON Schema per value."""

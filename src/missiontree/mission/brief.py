@@ -1,0 +1,81 @@
+"""The mission as the operator states it: the words, the team, the world, the routines, and what counts as good."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from missiontree.mission.estimate import Weights
+from missiontree.mission.fleet import Fleet, Robot, RobotType
+from missiontree.mission.routine import RoutineLibrary
+from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.value import Value
+
+
+@dataclass(frozen=True, kw_only=True)
+class MissionBrief(Value):
+    """
+    Everything that planning starts from.
+
+    Parameters
+    ----------
+    text
+        The mission in words. It is the operator's word; everything in the scene is data.
+    fleet
+        The team.
+    routines
+        Routines on offer.
+    scene
+        The world; None if the mission is planned without one.
+    entities
+        Entities the operator declares beside the scene, such as the kind of a thing that the text names.
+    weights
+        What counts as good.
+    check_kinds
+        Whether kinds of arguments are enforced. Default true; false reproduces the paper's examples.
+
+    Raises
+    ------
+    ValueError
+        If fleet, scene and entities refer to each other in vain.
+    """
+
+    text: str
+    fleet: Fleet
+    routines: RoutineLibrary
+    scene: Scene | None = None
+    entities: tuple[Entity, ...] = ()
+    weights: Weights = Weights()
+    check_kinds: bool = True
+
+    def _check(self) -> None:
+        world = self.world
+        zones = {zone.id for zone in world.zones}
+        for robot_type in self.fleet.types:
+            starts: tuple[RobotType | Robot, ...] = (robot_type, *robot_type.robots)
+            for start in starts:
+                if start.place is not None and start.place not in world.by_id:
+                    raise ValueError(f"{start.id!r} starts at place {start.place!r}, which the scene does not have.")
+                if start.position is not None:
+                    world.in_map(start.position)
+            for zone in robot_type.zones or ():
+                if self.scene is not None and zone not in zones:
+                    raise ValueError(
+                        f"robot type {robot_type.id!r} may enter zone {zone!r}, which the scene does not have."
+                    )
+        self._check_type_names(world)
+
+    def _check_type_names(self, world: Scene) -> None:
+        roads = world.roads
+        restricted = [("keep-out " + area.id, area.types) for area in world.keep_outs]
+        restricted += [(f"road {road.ends[0]} - {road.ends[1]}", road.types) for road in (roads.roads if roads else ())]
+        restricted += [(f"lift {lift.id}", lift.types) for lift in (roads.lifts if roads else ())]
+        for what, types in restricted:
+            for name in types or ():
+                if name not in self.fleet.by_id:
+                    raise ValueError(f"{what} names robot type {name!r}, which the fleet does not have.")
+
+    @cached_property
+    def world(self) -> Scene:
+        """The scene, or an empty one, with the entities that the operator declares."""
+        return (self.scene if self.scene is not None else Scene()).extended(self.entities)

@@ -1,0 +1,80 @@
+"""What long work is given beside its data: how long it may take, who may stop it, whom to tell, and the clock."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+Clock = Callable[[], float]
+StopToken = Callable[[], bool]
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """
+    News of work under way.
+
+    Parameters
+    ----------
+    stage
+        ``allocation`` or ``scheduling``.
+    done
+        Candidates or actions done so far.
+    found
+        Results found so far.
+    bound
+        Best bound so far; None if there is none yet.
+    """
+
+    stage: str
+    done: int
+    found: int
+    bound: float | None = None
+
+
+def never() -> bool:
+    """The stop token that nobody pulls."""
+    return False
+
+
+def silent(progress: Progress) -> None:
+    """The listener that does not listen."""
+
+
+@dataclass(frozen=True, slots=True)
+class Control:
+    """
+    Limits and listeners of one piece of long work.
+
+    Parameters
+    ----------
+    time_limit_s
+        Seconds the work may take from the birth of this object; None (default) means no limit.
+    stop
+        Asked now and then; once it answers true the work returns what it has.
+    report
+        Told of progress now and then.
+    seed
+        Seed of everything random. Default 0.
+    clock
+        Monotonic seconds.
+    """
+
+    time_limit_s: float | None = None
+    stop: StopToken = never
+    report: Callable[[Progress], None] = silent
+    seed: int = 0
+    clock: Clock = time.monotonic
+    started: float = field(init=False)
+
+    def __post_init__(self) -> None:
+        if self.time_limit_s is not None and not self.time_limit_s >= 0:
+            raise ValueError(f"time_limit_s must be at least 0, got {self.time_limit_s}.")
+        object.__setattr__(self, "started", self.clock())
+
+    def ended(self) -> bool:
+        """Whether to stop now, because of the limit or the token."""
+        if self.stop():
+            return True
+        return self.time_limit_s is not None and self.clock() - self.started >= self.time_limit_s

@@ -1,0 +1,94 @@
+"""The whole answer: the mission, what it was planned from, the trees, the alternatives, the schedules, and how they came about."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from missiontree.mission.alternative import Ranking
+from missiontree.mission.brief import MissionBrief
+from missiontree.mission.grounded import Grounding
+from missiontree.mission.reason import Reason
+from missiontree.mission.schedule import Schedule
+from missiontree.mission.tree import MissionTree
+from missiontree.mission.value import Id, Value
+
+Outcome = Literal["delivered", "cannot_be_done", "incomplete", "exhausted", "provider_failed"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Provenance(Value):
+    """
+    How a plan came about. Clock times are not part of it, so that the same input and seed give the same bytes.
+
+    Parameters
+    ----------
+    author
+        Who built the tree: ``offline``, ``scripted``, ``recorded``, a provider's model, or ``given`` for a tree that was handed in.
+    model
+        Name of the language model; empty if there was none.
+    transcript
+        The dialogue, one canonical JSON object per line.
+    reading
+        How an author that reads plain language understood the text, a line per clause.
+    allocator, scheduler
+        Names of the methods used.
+    seed
+        Seed of everything random.
+    versions
+        Package name to version, of what took part.
+    """
+
+    author: Id
+    model: str = ""
+    transcript: tuple[str, ...] = ()
+    reading: tuple[str, ...] = ()
+    allocator: str = ""
+    scheduler: str = ""
+    seed: int = 0
+    versions: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plan(Value):
+    """
+    What planning a mission came to. Only a ``delivered`` plan has alternatives; every other outcome has reasons.
+
+    Parameters
+    ----------
+    outcome
+        ``delivered``; ``cannot_be_done``: proven, the reasons say why; ``incomplete``: the mission was not fully understood or
+        authored; ``exhausted``: a budget ran out first; ``provider_failed``: the language model could not be used.
+    brief
+        The mission and its inputs.
+    tree
+        The mission tree, as far as it was authored.
+    grounding
+        The tree over fleet and scene.
+    ranking
+        The alternatives.
+    schedules
+        A schedule for each alternative, in rank order.
+    reasons
+        Why the plan is not delivered.
+    notices, assumptions, findings
+        What was done on the operator's behalf, taken for granted, and may be wrong; authoring, grounding and scheduling together.
+    digests
+        SHA-256 of the canonical JSON of each input, by its name.
+    provenance
+        How the plan came about.
+    """
+
+    outcome: Outcome
+    brief: MissionBrief
+    tree: MissionTree | None = None
+    grounding: Grounding | None = None
+    ranking: Ranking | None = None
+    schedules: tuple[Schedule, ...] = ()
+    reasons: tuple[Reason, ...] = ()
+    notices: tuple[Reason, ...] = ()
+    assumptions: tuple[Reason, ...] = ()
+    findings: tuple[Reason, ...] = ()
+    digests: Mapping[str, str] = field(default_factory=dict)
+    provenance: Provenance

@@ -1,0 +1,1 @@
+"""Any value to something to look at."""

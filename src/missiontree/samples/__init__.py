@@ -1,0 +1,1 @@
+"""The paper's fleet and missions, ready to plan."""
