@@ -1,1 +1,1 @@
-"""Routines as data, and the expansion of a mission tree over a fleet and a scene."""
+"""Routines and their grounding: (mission tree, fleet, scene) to actions of robot types. The built-in routines are data in library/."""
