@@ -1,1 +1,75 @@
-"""missiontree."""
+"""
+missiontree: a sentence becomes a checked, ranked, scheduled plan for a mixed team of robots.
+
+The layout is the table of contents, and the data travels through it::
+
+    brief ─ authoring ─► MissionTree ─ routines ─► GroundedTree ─ allocation ─► Ranking ─ scheduling ─► Schedule
+          ─ checking ─► findings ─ reporting ─► something to look at
+
+``planner.py`` is that road on one page. Names below are loaded when they are first used, so that the command line starts quickly.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from missiontree.checking import check
+    from missiontree.errors import InputError, MissiontreeError
+    from missiontree.mission.control import Control
+    from missiontree.mission.estimate import Weights
+    from missiontree.mission.fleet import Capability, Fleet, Robot, RobotType
+    from missiontree.mission.plan import Plan
+    from missiontree.mission.position import Position
+    from missiontree.mission.scene import Entity, Scene
+    from missiontree.planner import plan
+    from missiontree.reporting.text import plan_text
+
+__version__ = "0.1.0"
+
+_HOMES = {
+    "Capability": "mission.fleet",
+    "Control": "mission.control",
+    "Entity": "mission.scene",
+    "Fleet": "mission.fleet",
+    "InputError": "errors",
+    "MissiontreeError": "errors",
+    "Plan": "mission.plan",
+    "Position": "mission.position",
+    "Robot": "mission.fleet",
+    "RobotType": "mission.fleet",
+    "Scene": "mission.scene",
+    "Weights": "mission.estimate",
+    "check": "checking",
+    "plan": "planner",
+    "plan_text": "reporting.text",
+}
+
+__all__ = [
+    "Capability",
+    "Control",
+    "Entity",
+    "Fleet",
+    "InputError",
+    "MissiontreeError",
+    "Plan",
+    "Position",
+    "Robot",
+    "RobotType",
+    "Scene",
+    "Weights",
+    "check",
+    "plan",
+    "plan_text",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'missiontree' has no attribute {name!r}")
+    return getattr(import_module(f"missiontree.{_HOMES[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return [*__all__, "__version__"]

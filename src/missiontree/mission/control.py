@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 Clock = Callable[[], float]
 StopToken = Callable[[], bool]
@@ -78,3 +78,10 @@ class Control:
         if self.stop():
             return True
         return self.time_limit_s is not None and self.clock() - self.started >= self.time_limit_s
+
+    def part(self, share: float) -> Control:
+        """The same control for one piece of the work, with that share of the time that is left."""
+        if self.time_limit_s is None:
+            return self
+        left = max(0.0, self.time_limit_s - (self.clock() - self.started))
+        return replace(self, time_limit_s=left * share)

@@ -1,0 +1,5 @@
+"""``python -m missiontree``."""
+
+from missiontree.cli.main import main
+
+main()

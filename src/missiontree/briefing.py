@@ -1,0 +1,144 @@
+"""What the operator hands in, words and files, becomes one request that planning can start from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from missiontree.errors import InputError
+from missiontree.formats.document import read_file
+from missiontree.formats.mission_file import MissionFile
+from missiontree.mission.brief import MissionBrief
+from missiontree.mission.estimate import Weights
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.scene import Scene
+from missiontree.mission.tree import MissionTree
+from missiontree.routines.library import load
+from missiontree.samples.catalogue import FOLDER
+
+MAX_WORDS = 5_000
+DEFAULT_K = 4
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Request:
+    """
+    A mission ready to be planned.
+
+    Parameters
+    ----------
+    brief
+        The mission and its inputs.
+    tree
+        A mission tree that was handed in; None if an author is to build it.
+    methods
+        Files of mission methods beside the built-in ones.
+    k
+        How many alternatives are asked for.
+    allocator, model
+        Names of the method of allocation and of the author.
+    seed
+        Seed of everything random.
+    sources
+        What was taken from where, for the screen.
+    """
+
+    brief: MissionBrief
+    tree: MissionTree | None = None
+    methods: tuple[Path, ...] = ()
+    k: int = DEFAULT_K
+    allocator: str = "exact"
+    model: str = "offline"
+    seed: int = 0
+    sources: tuple[str, ...] = ()
+
+
+def request_from(
+    mission: str | Path,
+    *,
+    fleet: Fleet | Path | str | None = None,
+    scene: Scene | Path | str | None = None,
+    routines: Sequence[Path | str] = (),
+    methods: Sequence[Path | str] = (),
+    weights: Weights | None = None,
+    check_kinds: bool | None = None,
+    project: Path | None = None,
+    **options: Any,
+) -> Request:
+    """
+    Gather a request; what is given here goes before what a mission file says.
+
+    Parameters
+    ----------
+    mission
+        The mission in words, or the path of a mission file.
+    fleet, scene
+        Values, or files; without a fleet, the paper's sample fleet.
+    routines, methods
+        Files of the user's own, beside the built-in ones.
+    weights, check_kinds
+        See :class:`MissionBrief`.
+    project
+        A mission file whose fleet, scene, routines and methods are taken up when the mission is given in words.
+    options
+        ``k``, ``allocator``, ``model``, ``seed``; None stands for "not given".
+
+    Raises
+    ------
+    InputError
+        If a file cannot be read, or its contents do not fit together.
+    """
+    path = mission if isinstance(mission, Path) else project
+    file = _mission_file(path) if path is not None else MissionFile(mission=str(mission))
+    words = file.mission if isinstance(mission, Path) else mission
+    base = path.parent if path is not None else Path()
+    if len(words.split()) > MAX_WORDS:
+        raise InputError(f"the mission has {len(words.split())} words", accepted=f"at most {MAX_WORDS} words")
+    library_files = [base / name for name in file.routines] + [Path(name) for name in routines]
+    method_files = [base / name for name in file.methods] + [Path(name) for name in methods]
+    fleet_from = fleet if fleet is not None else (base / file.fleet if file.fleet else FOLDER / "fleet.yaml")
+    scene_from = scene if scene is not None else (base / file.scene if file.scene else None)
+    try:
+        brief = MissionBrief(
+            text=words,
+            fleet=_value(fleet_from, "fleet"),
+            scene=None if scene_from is None else _value(scene_from, "scene"),
+            routines=load(library_files),
+            entities=file.entities,
+            weights=weights or file.weights or Weights(),
+            check_kinds=file.check_kinds if check_kinds is None else check_kinds,
+        )
+    except ValueError as error:
+        raise InputError(
+            str(error), file=str(path or ""), hint="The inputs do not fit together; mend one of them."
+        ) from error
+    tree = _value(base / file.tree, "tree") if file.tree else None
+    sources = _sources(path, fleet_from, scene_from, library_files, method_files)
+    request = Request(brief=brief, tree=tree, methods=tuple(method_files), sources=sources)
+    given = {"k": file.k, "allocator": file.allocator, "model": file.model, "seed": file.seed}
+    given |= {name: value for name, value in options.items() if value is not None}
+    return replace(request, **{name: value for name, value in given.items() if value is not None})
+
+
+def _mission_file(path: Path) -> MissionFile:
+    file = read_file(path, "mission")
+    assert isinstance(file, MissionFile)
+    return file
+
+
+def _value(source: Any, kind: str) -> Any:
+    return read_file(Path(source), kind) if isinstance(source, str | Path) else source
+
+
+def _sources(
+    path: Path | None, fleet: Any, scene: Any, routines: Sequence[Path], methods: Sequence[Path]
+) -> tuple[str, ...]:
+    named: list[tuple[str, Any]] = [("mission", path), ("fleet", fleet), ("scene", scene)]
+    named += [("routines", file) for file in routines] + [("methods", file) for file in methods]
+    return tuple(f"{what} {_shown(where)}" for what, where in named if isinstance(where, str | Path))
+
+
+def _shown(path: str | Path) -> str:
+    return f"the paper's team ({Path(path).name})" if Path(path) == FOLDER / "fleet.yaml" else str(path)

@@ -1,0 +1,40 @@
+"""``missiontree check``: does a plan from anywhere keep every rule?"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from missiontree.cli import options
+from missiontree.cli.exits import Exit
+from missiontree.cli.screen import answers
+
+
+def command(
+    plan: Annotated[Path, typer.Argument(help="A plan file.")],
+    as_json: options.AsJson = False,
+    colour: options.Colour = None,
+) -> int:
+    """Check a plan against the inputs it carries, by code that shares nothing with the solvers."""
+    import json
+
+    from missiontree.checking import check
+    from missiontree.formats.document import read_file, to_plain
+    from missiontree.reporting.text import findings_view
+
+    findings = check(read_file(plan, "plan"))
+    if as_json:
+        typer.echo(
+            json.dumps({"sound": not findings, "findings": [to_plain(finding) for finding in findings]}, indent=2)
+        )
+    elif findings:
+        count = len(findings)
+        answers(colour).print(
+            f"{count} fault{'s' if count != 1 else ''} found in {plan}", style="bold red", markup=False
+        )
+        answers(colour).print(findings_view(findings))
+    else:
+        answers(colour).print(f"sound: {plan} keeps every rule", style="green", markup=False)
+    return Exit.FAULTS if findings else Exit.DELIVERED

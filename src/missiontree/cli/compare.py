@@ -1,0 +1,129 @@
+"""``missiontree compare``: every allocator on one mission, and what each of them lost."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, NamedTuple
+
+import typer
+
+from missiontree.cli import options
+from missiontree.cli.exits import OUTCOMES, Exit
+from missiontree.cli.gathering import gather
+from missiontree.cli.plan import control_of
+from missiontree.cli.screen import answers
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from missiontree.mission.alternative import Alternative, Ranking
+
+DEFAULT_LIMIT_S = 30.0
+
+
+class Run(NamedTuple):
+    """One allocator's answer."""
+
+    allocator: str
+    ranking: Ranking
+    elapsed_s: float
+
+
+def command(
+    mission: options.Mission = None,
+    fleet: options.FleetFile = None,
+    scene: options.SceneFile = None,
+    routines: options.RoutineFiles = None,
+    methods: options.MethodFiles = None,
+    sample: options.Sample = None,
+    weights: options.WeightsText = None,
+    k: options.Alternatives = None,
+    model: options.Model = None,
+    kinds: options.Kinds = None,
+    time_limit: options.TimeLimit = None,
+    seed: options.Seed = None,
+    as_json: options.AsJson = False,
+    colour: options.Colour = None,
+) -> int:
+    """Rank one mission's alternatives with every allocator: what each finds, how long it takes, what it loses."""
+    import json
+
+    from missiontree.allocation import ALLOCATORS
+    from missiontree.planner import author
+    from missiontree.reporting.text import reason_line
+    from missiontree.routines.ground import ground
+
+    request = gather(
+        mission,
+        sample,
+        fleet=fleet,
+        scene=scene,
+        routines=routines,
+        methods=methods,
+        weights=weights,
+        k=k,
+        allocator=None,
+        model=model,
+        kinds=kinds,
+        seed=seed,
+    )
+    authored = author(request)
+    if authored.status != "complete" or authored.tree is None:
+        for reason in authored.reasons:
+            answers(colour).print(reason_line(reason))
+        return OUTCOMES[authored.status if authored.status != "complete" else "incomplete"]
+    tree, brief = ground(authored.tree, request.brief).tree, request.brief
+    runs = []
+    for name, allocate in ALLOCATORS.items():
+        started = time.perf_counter()
+        control = control_of(DEFAULT_LIMIT_S if time_limit is None else time_limit, request.seed)
+        ranking = allocate(tree, brief.fleet, brief.weights, request.k, control)
+        runs.append(Run(name, ranking, time.perf_counter() - started))
+    if as_json:
+        typer.echo(json.dumps([_plain(run, runs) for run in runs], indent=2))
+    else:
+        answers(colour).print(_table(runs))
+        for run in runs:
+            for reason in run.ranking.reasons[:3]:
+                answers(colour).print(run.allocator, ":", reason_line(reason))
+    return Exit.DELIVERED if runs[0].ranking.alternatives else Exit.CANNOT_BE_DONE
+
+
+def lost(run: Run, runs: list[Run]) -> list[Alternative]:
+    """Alternatives that an exact run lists and this run does not."""
+    reference = next((other.ranking for other in runs if other.ranking.status == "exact"), None)
+    if reference is None:
+        return []
+    found = {alternative.choices for alternative in run.ranking.alternatives}
+    return [alternative for alternative in reference.alternatives if alternative.choices not in found]
+
+
+def _table(runs: list[Run]) -> Table:
+    from rich.table import Table
+
+    table = Table(box=None, padding=(0, 2, 0, 0), header_style="dim")
+    for name in ("allocator", "found", "utilities", "status", "lost", "examined", "time"):
+        table.add_column(name, justify="left" if name in {"allocator", "utilities", "status"} else "right")
+    for run in runs:
+        utilities = ", ".join(f"{alternative.utility:g}" for alternative in run.ranking.alternatives[:6])
+        table.add_row(
+            run.allocator,
+            str(len(run.ranking.alternatives)),
+            utilities + (", …" if len(run.ranking.alternatives) > 6 else ""),
+            run.ranking.status,
+            str(len(lost(run, runs))),
+            str(run.ranking.examined),
+            f"{run.elapsed_s * 1000:.1f} ms",
+        )
+    return table
+
+
+def _plain(run: Run, runs: list[Run]) -> dict[str, object]:
+    return {
+        "allocator": run.allocator,
+        "status": run.ranking.status,
+        "utilities": [alternative.utility for alternative in run.ranking.alternatives],
+        "lost_ranks": [alternative.rank for alternative in lost(run, runs)],
+        "examined": run.ranking.examined,
+        "time_s": round(run.elapsed_s, 6),
+    }

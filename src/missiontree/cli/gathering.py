@@ -1,0 +1,97 @@
+"""From the words on a command line to a request."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from missiontree.errors import InputError
+
+if TYPE_CHECKING:
+    from missiontree.briefing import Request
+    from missiontree.mission.estimate import Weights
+
+MISSION_FILES = (".yaml", ".yml", ".json")
+
+
+def gather(
+    mission: str | None,
+    sample: str | None,
+    *,
+    fleet: Path | None,
+    scene: Path | None,
+    routines: list[Path] | None,
+    methods: list[Path] | None,
+    weights: str | None,
+    k: int | None,
+    allocator: str | None,
+    model: str | None,
+    kinds: bool | None,
+    seed: int | None,
+) -> Request:
+    """
+    Gather a request from the command line, the mission file and the folder one stands in.
+
+    Raises
+    ------
+    InputError
+        If anything given is not what it should be.
+    """
+    from missiontree.briefing import request_from
+
+    if k is not None and k < 1:
+        raise InputError(f"-k {k}", accepted="a whole number of at least 1")
+    source, project = _mission(mission, sample)
+    return request_from(
+        source,
+        fleet=fleet,
+        scene=scene,
+        routines=routines or (),
+        methods=methods or (),
+        weights=_weights(weights),
+        check_kinds=kinds,
+        project=project,
+        k=k,
+        allocator=allocator,
+        model=model,
+        seed=seed,
+    )
+
+
+def _mission(mission: str | None, sample: str | None) -> tuple[str | Path, Path | None]:
+    """The mission, and the mission file of the folder one stands in if the mission is given in words."""
+    here = Path("mission.yaml")
+    if sample is not None:
+        from missiontree.samples.catalogue import sample_file
+
+        if mission is not None:
+            raise InputError("both a mission and --sample are given", accepted="one of them")
+        return sample_file(sample), None
+    if mission is None:
+        if not here.exists():
+            raise InputError(
+                "no mission is given, and this folder has no mission.yaml",
+                accepted='a sentence ("Reunite mom with her lost child"), a mission file, or --sample NAME',
+                hint="`missiontree init FOLDER` writes a folder to start from.",
+            )
+        return here, None
+    if mission.endswith(MISSION_FILES):
+        return Path(mission), None
+    return mission, here if here.exists() else None
+
+
+def _weights(text: str | None) -> Weights | None:
+    if text is None:
+        return None
+    from missiontree.mission.estimate import Weights
+
+    try:
+        numbers = [float(part) for part in text.split(",")]
+        if not 1 <= len(numbers) <= 3:
+            raise ValueError(f"{len(numbers)} numbers are given.")
+        return Weights(*numbers)
+    except ValueError as error:
+        raise InputError(
+            f"--weights {text!r}: {error}",
+            accepted="up to three numbers of at least 0, as in 1,0.01,0 (alpha,beta,gamma)",
+        ) from error

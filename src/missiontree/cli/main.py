@@ -1,0 +1,60 @@
+"""The parser. Each command lives in a file of its own and imports what it needs when it runs."""
+
+from __future__ import annotations
+
+import sys
+from typing import Annotated
+
+import typer
+from missiontree import __version__
+from missiontree.cli import check, compare, init, plan, schema, show
+from missiontree.cli.exits import Exit, guarded
+from missiontree.errors import InputError
+
+app = typer.Typer(
+    name="missiontree",
+    help="From a sentence to a checked, ranked, scheduled plan for a mixed team of robots.",
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+app.command("plan")(plan.command)
+app.command("show")(show.command)
+app.command("check")(check.command)
+app.command("compare")(compare.command)
+app.command("init")(init.command)
+app.command("schema")(schema.command)
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        typer.echo(f"missiontree {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def options(
+    version: Annotated[
+        bool, typer.Option("--version", help="Print the version.", callback=_version, is_eager=True)
+    ] = False,
+    debug: Annotated[bool, typer.Option("--debug", help="Show the traceback of an internal error.")] = False,
+) -> None:
+    """Take the options that stand before the command."""
+
+
+def main() -> None:
+    """Entry point of the command ``missiontree``."""
+    sys.exit(guarded(_run, debug="--debug" in sys.argv))
+
+
+def _run() -> int:
+    if len(sys.argv) == 1:
+        sys.argv.append("--help")
+    try:
+        code = app(standalone_mode=False)
+    except typer.TyperException as error:
+        raise InputError(error.format_message(), hint="`missiontree COMMAND --help` lists what a command takes.") from error
+    except typer.Abort as error:
+        raise KeyboardInterrupt from error
+    return code if isinstance(code, int) else Exit.DELIVERED

@@ -1,0 +1,47 @@
+"""Options that several commands share, declared once."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+Mission = Annotated[
+    str | None,
+    typer.Argument(
+        help="A mission in words, or a mission file (.yaml, .yml, .json). Default: mission.yaml of this folder."
+    ),
+]
+FleetFile = Annotated[Path | None, typer.Option("--fleet", help="Fleet file. Default: the paper's team.")]
+SceneFile = Annotated[Path | None, typer.Option("--scene", help="Scene file.")]
+RoutineFiles = Annotated[
+    list[Path] | None, typer.Option("--routines", help="File of further routines; may be given several times.")
+]
+MethodFiles = Annotated[
+    list[Path] | None, typer.Option("--methods", help="File of further mission methods; may be given several times.")
+]
+WeightsText = Annotated[
+    str | None,
+    typer.Option("--weights", help="alpha,beta,gamma of utility = alpha*quality - beta*seconds - gamma*cost."),
+]
+Alternatives = Annotated[int | None, typer.Option("-k", "--alternatives", help="How many alternatives. Default 4.")]
+Sample = Annotated[
+    str | None, typer.Option("--sample", help="Plan a sample mission: reunite, rescue, luggage, monster, …")
+]
+Model = Annotated[
+    str | None,
+    typer.Option(
+        "--model", envvar="MISSIONTREE_MODEL", help="Who reads the mission: offline (default) or recorded:FILE."
+    ),
+]
+Kinds = Annotated[
+    bool | None, typer.Option("--kinds/--no-kinds", help="Enforce kinds of arguments (a message needs a reader).")
+]
+TimeLimit = Annotated[float | None, typer.Option("--time-limit", help="Seconds that planning may take.")]
+Seed = Annotated[int | None, typer.Option("--seed", help="Seed of everything random. Default 0.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but the answer.")]
+Colour = Annotated[
+    bool | None, typer.Option("--colour/--no-colour", "--color/--no-color", help="Default: as the terminal can.")
+]

@@ -1,0 +1,41 @@
+"""``missiontree schema``: the JSON Schema of a document, so that editors can complete and explain."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from missiontree.cli.exits import Exit
+from missiontree.cli.plan import save
+from missiontree.errors import InputError
+
+
+def command(
+    kind: Annotated[
+        str | None, typer.Argument(help="fleet, scene, routines, mission, plan, … Without it: the list.")
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", help="Write to this file; with no kind: every schema into this folder.")
+    ] = None,
+) -> int:
+    """Print the JSON Schema of a kind of document."""
+    import json
+
+    from missiontree.formats.document import KINDS, json_schema
+
+    if kind is not None and kind not in KINDS:
+        raise InputError(f"there is no document {kind!r}", accepted=", ".join(KINDS))
+    if kind is None and out is None:
+        typer.echo("\n".join(KINDS))
+        return Exit.DELIVERED
+    texts = {name: json.dumps(json_schema(name), indent=2) + "\n" for name in ([kind] if kind else KINDS)}
+    for name, text in texts.items():
+        if out is None:
+            typer.echo(text, nl=False)
+            continue
+        if kind is None:
+            out.mkdir(parents=True, exist_ok=True)
+        save(out if kind else out / f"{name}.schema.json", text)
+    return Exit.DELIVERED

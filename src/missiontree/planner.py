@@ -1,0 +1,230 @@
+"""
+The whole road on one page: words and files → mission tree → grounded tree → alternatives → schedules → check → plan.
+
+Each step is a function from frozen value to frozen value; what takes long is given a :class:`Control`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from missiontree import __version__
+from missiontree.allocation import ALLOCATORS
+from missiontree.authoring.author import authored_from_tree
+from missiontree.authoring.methods import load_methods
+from missiontree.authoring.offline import author_offline
+from missiontree.authoring.outcome import Authored
+from missiontree.authoring.transcript import replay
+from missiontree.briefing import Request, request_from
+from missiontree.checking import check
+from missiontree.errors import InputError, InternalError
+from missiontree.formats.digest import input_digests
+from missiontree.mission.alternative import Ranking
+from missiontree.mission.control import Control
+from missiontree.mission.estimate import Weights
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.grounded import Grounding
+from missiontree.mission.plan import Outcome, Plan, Provenance
+from missiontree.mission.reason import Reason
+from missiontree.mission.scene import Scene
+from missiontree.mission.schedule import Schedule
+from missiontree.routines.ground import ground
+from missiontree.scheduling import SCHEDULERS
+
+MAX_DRAWN = 200
+ALLOCATION_SHARE = 0.6
+
+
+def plan(
+    mission: str | Path,
+    *,
+    fleet: Fleet | Path | str | None = None,
+    scene: Scene | Path | str | None = None,
+    routines: Sequence[Path | str] = (),
+    methods: Sequence[Path | str] = (),
+    weights: Weights | None = None,
+    check_kinds: bool | None = None,
+    k: int | None = None,
+    allocator: str | None = None,
+    model: str | None = None,
+    seed: int | None = None,
+    control: Control | None = None,
+) -> Plan:
+    """
+    Plan a mission: author its tree, rank the ways to staff it, schedule them, and check all of it.
+
+    Parameters
+    ----------
+    mission
+        The mission in words, or the path of a mission file.
+    fleet
+        The team: a value or a file. Default: the mission file's, else the paper's sample fleet.
+    scene
+        The world: a value or a file. Default: the mission file's, else none.
+    routines
+        Files of further routines (YAML, or Python files).
+    methods
+        Files of further mission methods for the offline author.
+    weights
+        What makes utility. Default: quality alone.
+    check_kinds
+        Whether kinds of arguments are enforced. Default true.
+    k
+        How many alternatives are asked for, at least 1. Default 4.
+    allocator
+        ``exact`` (default), ``pruned``, ``pruned_as_printed`` or ``exhaustive``.
+    model
+        ``offline`` (default), or ``recorded:<file>`` to replay a transcript.
+    seed
+        Seed of everything random. Default 0.
+    control
+        Time limit, stop token, progress callback. Default: no limit.
+
+    Returns
+    -------
+    Plan
+        Also when the mission cannot be done or was not understood: ``outcome`` and ``reasons`` say so.
+
+    Raises
+    ------
+    InputError
+        If something handed in is not what it should be.
+    """
+    request = request_from(
+        mission,
+        fleet=fleet,
+        scene=scene,
+        routines=routines,
+        methods=methods,
+        weights=weights,
+        check_kinds=check_kinds,
+        k=k,
+        allocator=allocator,
+        model=model,
+        seed=seed,
+    )
+    return plan_request(request, control or Control(seed=request.seed))
+
+
+def plan_request(request: Request, control: Control) -> Plan:
+    """Plan a request that is already gathered; see :func:`plan`."""
+    if request.allocator not in ALLOCATORS:
+        raise InputError(f"there is no allocator {request.allocator!r}", accepted=", ".join(ALLOCATORS))
+    authored = author(request)
+    if authored.status != "complete" or authored.tree is None:
+        return _told(request, authored)
+    grounding = ground(authored.tree, request.brief)
+    scene = request.brief.world.extended(authored.tree.entities)
+    ranking, schedules = staff_and_schedule(grounding, request, scene, control)
+    made = _told(request, authored, grounding, ranking, schedules)
+    if faults := check(made):
+        raise InternalError(f"the checker refuses a plan of our own making: {faults[0].rule}: {faults[0].message}")
+    return made
+
+
+def author(request: Request) -> Authored:
+    """Have the mission tree built, or take the one that was handed in."""
+    if request.tree is not None:
+        return authored_from_tree(request.tree, request.brief)
+    if request.model == "offline":
+        return author_offline(request.brief, load_methods(request.methods))
+    name, _, file = request.model.partition(":")
+    if name == "recorded" and file:
+        try:
+            lines = Path(file).read_text(encoding="utf-8").splitlines()
+        except (OSError, UnicodeDecodeError) as error:
+            raise InputError("the transcript cannot be read", file=file, hint=str(error)) from error
+        return replay(lines, request.brief)
+    raise InputError(f"there is no model {request.model!r}", accepted="offline, recorded:<file of a transcript>")
+
+
+def staff_and_schedule(
+    grounding: Grounding, request: Request, scene: Scene, control: Control
+) -> tuple[Ranking, tuple[Schedule, ...]]:
+    """
+    Rank k alternatives that can be scheduled, and schedule them.
+
+    An alternative that is proven unschedulable stays in the list, with the reason in its schedule, and one more is drawn; so
+    ranks never depend on schedules.
+    """
+    brief, tree, wanted = request.brief, grounding.tree, request.k
+    schedule_with, allocate = SCHEDULERS["greedy"], ALLOCATORS[request.allocator]
+    done: dict[object, Schedule] = {}
+    while True:
+        ranking = allocate(tree, brief.fleet, brief.weights, wanted, control.part(ALLOCATION_SHARE))
+        for position, alternative in enumerate(ranking.alternatives):
+            if alternative.choices not in done or done[alternative.choices].rank != alternative.rank:
+                left = len(ranking.alternatives) - position
+                done[alternative.choices] = schedule_with(tree, alternative, brief.fleet, scene, control.part(1 / left))
+        schedules = tuple(done[alternative.choices] for alternative in ranking.alternatives)
+        impossible = sum(schedule.status == "infeasible" for schedule in schedules)
+        enough = len(schedules) - impossible >= request.k or len(schedules) < wanted
+        if enough or control.ended() or wanted >= MAX_DRAWN:
+            return ranking, schedules
+        wanted = min(request.k + impossible, max(MAX_DRAWN, request.k))
+
+
+def _told(
+    request: Request,
+    authored: Authored,
+    grounding: Grounding | None = None,
+    ranking: Ranking | None = None,
+    schedules: tuple[Schedule, ...] = (),
+) -> Plan:
+    """Put everything known into one value."""
+    outcome, reasons = _outcome(authored, grounding, ranking, schedules)
+    scheduled = [reason for schedule in schedules for reason in schedule.assumptions]
+    grounded = grounding or None
+    return Plan(
+        outcome=outcome,
+        brief=request.brief,
+        tree=authored.tree,
+        grounding=grounding,
+        ranking=ranking,
+        schedules=schedules,
+        reasons=reasons,
+        notices=_distinct([*authored.notices, *(grounded.notices if grounded else ())]),
+        assumptions=_distinct([*authored.assumptions, *(grounded.assumptions if grounded else ()), *scheduled]),
+        findings=grounded.findings if grounded else (),
+        digests=input_digests(request.brief, authored.tree),
+        provenance=Provenance(
+            author=authored.author,
+            model=authored.model,
+            transcript=authored.transcript,
+            reading=authored.reading,
+            allocator=request.allocator if ranking else "",
+            scheduler="greedy" if schedules else "",
+            seed=request.seed,
+            versions={"missiontree": __version__},
+        ),
+    )
+
+
+def _outcome(
+    authored: Authored, grounding: Grounding | None, ranking: Ranking | None, schedules: tuple[Schedule, ...]
+) -> tuple[Outcome, tuple[Reason, ...]]:
+    if authored.status != "complete":
+        return authored.status, authored.reasons
+    assert ranking is not None
+    assert grounding is not None
+    if ranking.status == "infeasible":
+        return "cannot_be_done", _distinct([*ranking.reasons, *grounding.not_offered])
+    if any(schedule.status in {"optimal", "feasible"} for schedule in schedules):
+        return "delivered", ()
+    unscheduled = [reason for schedule in schedules for reason in schedule.reasons]
+    proven = ranking.status == "exact" and all(schedule.status == "infeasible" for schedule in schedules)
+    return ("cannot_be_done" if proven else "exhausted"), _distinct([*ranking.reasons, *unscheduled]) or (
+        NOTHING_FOUND,
+    )
+
+
+NOTHING_FOUND = Reason(
+    rule="nothing_found",
+    message="No alternative with a schedule was found in the time given; none is excluded either.",
+    hint="Give more time (--time-limit) or another allocator (--allocator exact).",
+)
+
+
+def _distinct(reasons: Sequence[Reason]) -> tuple[Reason, ...]:
+    return tuple(dict.fromkeys(reasons))

@@ -1,0 +1,183 @@
+"""Summaries and tables for the terminal: the same in colour, without colour, and as a plain string."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from io import StringIO
+
+from rich.console import Console, Group, RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from missiontree.mission.alternative import Alternative, Ranking
+from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.plan import Outcome, Plan
+from missiontree.mission.reason import Reason, Severity
+from missiontree.mission.schedule import Schedule
+from missiontree.reporting.escape import terminal_safe
+from missiontree.reporting.timeline import timeline
+from missiontree.reporting.tree_view import tree_text
+
+HEADLINES: dict[Outcome, tuple[str, str]] = {
+    "delivered": ("Plan", "bold green"),
+    "cannot_be_done": ("Cannot be done", "bold red"),
+    "incomplete": ("Incomplete: not every part of the mission is understood or built", "bold yellow"),
+    "exhausted": ("Out of time or budget before the thing asked was found", "bold yellow"),
+    "provider_failed": ("The language model could not be used", "bold red"),
+}
+MARKS: dict[Severity, tuple[str, str]] = {
+    "error": ("✗", "red"),
+    "warning": ("!", "yellow"),
+    "notice": ("+", "cyan"),
+    "assumption": ("?", "magenta"),
+}
+MAX_LINES = 12
+
+
+def words(text: str, style: str = "") -> Text:
+    """Text of a user's, harmless: never markup, never terminal control."""
+    return Text(terminal_safe(text), style=style)
+
+
+def plan_text(plan: Plan, width: int = 100) -> str:
+    """The plan as plain text, without colour."""
+    return render(plan_view(plan), width)
+
+
+def render(view: RenderableType, width: int = 100) -> str:
+    """A view as plain text, without colour or trailing blanks."""
+    page = StringIO()
+    Console(file=page, width=width, color_system=None, force_terminal=False, highlight=False).print(view)
+    return "\n".join(line.rstrip() for line in page.getvalue().splitlines()) + "\n"
+
+
+def plan_view(plan: Plan) -> Group:
+    """Everything a person wants to see first: outcome, tree, alternatives, the best one's timeline, remarks."""
+    return Group(*_sections(plan))
+
+
+def _sections(plan: Plan) -> Iterator[RenderableType]:
+    headline, style = HEADLINES[plan.outcome]
+    yield Text.assemble((headline, style), ": ", words(plan.brief.text.strip() or "(no words)", "bold"))
+    yield from _titled("How the words were read", [words(line) for line in plan.provenance.reading])
+    yield from _titled("Why", [reason_line(reason) for reason in plan.reasons])
+    if plan.tree is not None:
+        yield from _titled("Mission tree", [words(tree_text(plan.tree).rstrip())])
+    if plan.ranking is not None and plan.grounding is not None and plan.ranking.alternatives:
+        yield from _titled(_ranking_title(plan.ranking), [alternatives_table(plan)])
+        best = best_scheduled(plan)
+        if best is not None:
+            title = f"Schedule of alternative {best.rank}: {seconds(best.makespan_s)}, {_known(best)}"
+            yield from _titled(title, [timeline(best, plan)])
+    not_offered = plan.grounding.not_offered if plan.grounding else ()
+    yield from _remarks("Not offered", not_offered)
+    yield from _remarks("Look at", plan.findings)
+    yield from _remarks("Done on your behalf", plan.notices)
+    yield from _remarks("Assumed", plan.assumptions)
+
+
+def _titled(title: str, body: Sequence[RenderableType]) -> Iterator[RenderableType]:
+    if body:
+        yield Text("")
+        yield Text(title, style="bold")
+        yield Padding(Group(*body), (0, 0, 0, 2))
+
+
+def _remarks(title: str, reasons: Sequence[Reason]) -> Iterator[RenderableType]:
+    lines = [reason_line(reason) for reason in reasons[:MAX_LINES]]
+    if len(reasons) > MAX_LINES:
+        lines.append(Text(f"… and {len(reasons) - MAX_LINES} more; --json lists them all", style="dim"))
+    yield from _titled(title, lines)
+
+
+def reason_line(reason: Reason) -> Text:
+    """A reason as one line: mark, sentence, what to do."""
+    mark, style = MARKS[reason.severity]
+    line = Text.assemble((mark, style), " ", words(reason.message))
+    if reason.hint:
+        line.append_text(words(f" {reason.hint}", "dim"))
+    return line
+
+
+def seconds(time_s: float) -> str:
+    """A time for people: ``95.5 s``, ``1:02:03`` from ten minutes on."""
+    if time_s < 600:
+        return f"{time_s:.1f} s"
+    whole = round(time_s)
+    return f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"
+
+
+def best_scheduled(plan: Plan) -> Schedule | None:
+    """The first schedule in rank order that has actions."""
+    return next((schedule for schedule in plan.schedules if schedule.status in {"optimal", "feasible"}), None)
+
+
+def _ranking_title(ranking: Ranking) -> str:
+    count = len(ranking.alternatives)
+    known = {
+        "exact": "every rank proven",
+        "partial": "not all ranks proven",
+        "infeasible": "none exists",
+        "unknown": "none found",
+    }[ranking.status]
+    return f"{count} alternative{'s' if count != 1 else ''}, best first ({known})"
+
+
+def _known(schedule: Schedule) -> str:
+    if schedule.status == "optimal":
+        return f"optimal, confirmed by {schedule.certificate.method.replace('_', ' ')}"
+    bound = schedule.certificate.bound
+    return "feasible" if bound is None else f"feasible, no plan can be below {seconds(bound)}"
+
+
+def alternatives_table(plan: Plan) -> Table:
+    """Rank, utility, team, makespan and what is known, a row per alternative."""
+    assert plan.ranking is not None
+    assert plan.grounding is not None
+    table = Table(box=None, padding=(0, 2, 0, 0), header_style="dim")
+    for name, justify in (
+        ("#", "right"),
+        ("utility", "right"),
+        ("team", "left"),
+        ("makespan", "right"),
+        ("known", "left"),
+    ):
+        table.add_column(name, justify="right" if justify == "right" else "left", no_wrap=name != "team")
+    schedules = {schedule.rank: schedule for schedule in plan.schedules}
+    for alternative in plan.ranking.alternatives:
+        schedule = schedules.get(alternative.rank)
+        table.add_row(
+            str(alternative.rank),
+            f"{alternative.utility:g}",
+            words("\n".join(team_lines(plan.grounding.tree, alternative, plan))),
+            seconds(schedule.makespan_s) if schedule and schedule.actions else "-",
+            _verdict(alternative, schedule),
+        )
+    return table
+
+
+def _verdict(alternative: Alternative, schedule: Schedule | None) -> str:
+    rank = "rank proven" if alternative.certificate.claim == "proven" else "rank unproven"
+    if schedule is None:
+        return rank
+    return {
+        "optimal": f"{rank}\nshortest, proven",
+        "feasible": f"{rank}\nfeasible",
+        "infeasible": f"{rank}\ncannot be scheduled",
+        "unknown": f"{rank}\nno schedule found",
+    }[schedule.status]
+
+
+def team_lines(tree: GroundedTree, alternative: Alternative, plan: Plan) -> list[str]:
+    """Who does what, a line per reached role."""
+    types = plan.brief.fleet.by_id
+    return [
+        f"{tree.roles[filled.role].label}: {types[filled.robot_type].label if filled.robot_type in types else filled.robot_type}"
+        for filled in alternative.roles[:MAX_LINES]
+    ] + ([f"… and {len(alternative.roles) - MAX_LINES} more roles"] if len(alternative.roles) > MAX_LINES else [])
+
+
+def findings_view(findings: Iterable[Reason]) -> Group:
+    """What the checker found, a line each."""
+    return Group(*(reason_line(reason) for reason in findings))
