@@ -1,0 +1,49 @@
+"""Time limits and stop tokens, with a clock that is handed in."""
+
+from __future__ import annotations
+
+import pytest
+
+from missiontree.mission.control import Control
+
+
+class Hands:
+    """A clock that shows what it is told."""
+
+    def __init__(self) -> None:
+        self.now = 100.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+def test_a_limit_counts_from_birth() -> None:
+    clock = Hands()
+    control = Control(time_limit_s=5, clock=clock)
+    assert not control.ended()
+    clock.now = 104.9
+    assert not control.ended()
+    clock.now = 105.0
+    assert control.ended()
+
+
+def test_a_part_gets_its_share_of_what_is_left() -> None:
+    clock = Hands()
+    control = Control(time_limit_s=10, clock=clock)
+    clock.now = 106.0
+    # 4 s are left, a quarter of them is 1 s.
+    part = control.part(0.25)
+    assert part.time_limit_s == pytest.approx(1.0)
+    clock.now = 107.0
+    assert part.ended()
+    assert not control.ended()
+
+
+def test_the_token_stops_at_once() -> None:
+    assert Control(stop=lambda: True).ended()
+    assert not Control().ended()
+
+
+def test_a_negative_limit_is_refused() -> None:
+    with pytest.raises(ValueError, match="at least 0"):
+        Control(time_limit_s=-1)
