@@ -1,0 +1,64 @@
+"""What a mission file holds: the mission, where its inputs are, and how to plan it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from missiontree.mission.estimate import Weights
+from missiontree.mission.scene import Entity
+from missiontree.mission.value import Count, Id, Value, require_unique
+
+
+@dataclass(frozen=True, kw_only=True)
+class MissionFile(Value):
+    """
+    A mission with everything that planning it needs. Paths are relative to the file.
+
+    Parameters
+    ----------
+    mission
+        The mission in words. Needed unless ``tree`` is given.
+    tree
+        Path of a mission tree that is already there, instead of authoring one.
+    fleet
+        Path of the fleet; default: the fleet of the folder, or of the command line.
+    scene
+        Path of the scene; default: likewise, or none.
+    routines
+        Paths of files with routines beside the built-in ones.
+    methods
+        Paths of files with mission methods of the offline author beside the built-in ones.
+    entities
+        What the mission's words mean where the scene does not say it, such as the kind of a thing; corrects what was inferred.
+    weights
+        What counts as good.
+    k
+        How many alternatives are wanted, at least 1, default 4.
+    check_kinds
+        Whether kinds of arguments are enforced. Default true; false reproduces the paper's examples.
+    model
+        Who authors the tree: ``offline`` or the name of a language model. Default: as the environment says, else ``offline``.
+    allocator
+        Method of allocation, default ``exact``.
+    seed
+        Seed of everything random, default 0.
+    """
+
+    mission: str = ""
+    tree: str | None = None
+    fleet: str | None = None
+    scene: str | None = None
+    routines: tuple[str, ...] = ()
+    methods: tuple[str, ...] = ()
+    entities: tuple[Entity, ...] = ()
+    weights: Weights = Weights()
+    k: Count = 4
+    check_kinds: bool = True
+    model: str = ""
+    allocator: Id = "exact"
+    seed: int = 0
+
+    def _check(self) -> None:
+        if not self.mission.strip() and self.tree is None:
+            raise ValueError("a mission file needs a mission in words, or the path of a tree.")
+        require_unique("entity", tuple(entity.id for entity in self.entities))

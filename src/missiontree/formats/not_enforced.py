@@ -1,0 +1,61 @@
+"""
+Fields that are planned and that no stage enforces yet. A file that has one is refused: a rule that is accepted and then ignored
+would make a plan look better than it is.
+"""
+
+from __future__ import annotations
+
+DEADLINES = "deadlines and release times"
+WINDOWS = "time windows"
+RECHARGING = "recharging and chargers"
+SHARED = "shared resources with a capacity"
+AVAILABILITY = "robots that come late, leave early or must return"
+COMMANDS = "commands to real robots and what they report back"
+GATES = "optional tasks, rewards and gates other than 'and' and 'xor'"
+
+_TIMES = {"deadline_s": DEADLINES, "release_s": DEADLINES, "windows": WINDOWS, "window": WINDOWS}
+_ROBOTS = {
+    "available_from_s": AVAILABILITY,
+    "available_until_s": AVAILABILITY,
+    "available_from": AVAILABILITY,
+    "until": AVAILABILITY,
+    "return_home": AVAILABILITY,
+    "home": AVAILABILITY,
+    "recharge": RECHARGING,
+    "recharge_per_s": RECHARGING,
+    "charger": RECHARGING,
+    "chargers": RECHARGING,
+}
+_CAPACITY = {"capacity": SHARED}
+
+FIELDS: dict[str, dict[str, str]] = {
+    "Robot": _ROBOTS,
+    "RobotType": _ROBOTS,
+    "Scene": {"chargers": RECHARGING, "resources": SHARED, "doors": SHARED},
+    "Entity": {**_TIMES, **_CAPACITY},
+    "Lift": _CAPACITY,
+    "Road": _CAPACITY,
+    "Zone": _CAPACITY,
+    "RoadNode": _CAPACITY,
+    "ActionStep": {**_TIMES, "command": COMMANDS, "results": COMMANDS, "resources": SHARED, "holds": SHARED},
+    "Action": {**_TIMES, "command": COMMANDS, "results": COMMANDS, "resources": SHARED, "holds": SHARED},
+    "MissionNode": {**_TIMES, "k": GATES, "optional": GATES, "reward": GATES},
+    "GroundedNode": {**_TIMES, "k": GATES, "optional": GATES, "reward": GATES},
+    "MissionFile": _TIMES,
+}
+"""Class name to field to the rule it belongs to."""
+
+GATE_WORDS = ("k_of_n", "or", "optional", "sum", "max", "min")
+"""Gates that a later version may have."""
+
+
+def planned_field(class_name: str, name: str) -> str | None:
+    """The rule that a field of a value will belong to; None if no such field is planned."""
+    return FIELDS.get(class_name, {}).get(name)
+
+
+def planned_word(class_name: str, name: str, found: object) -> str | None:
+    """The rule that a word found in a field will belong to; None if no such word is planned."""
+    if class_name == "MissionNode" and name == "gate" and found in GATE_WORDS:
+        return GATES
+    return None
