@@ -16,7 +16,16 @@ RankingStatus = Literal["exact", "partial", "infeasible", "unknown"]
 
 @dataclass(frozen=True, slots=True)
 class Choice(Value):
-    """The child taken at a reached XOR: indices of both nodes."""
+    """
+    The child taken at a reached XOR.
+
+    Parameters
+    ----------
+    xor
+        Index of the XOR node in the grounded tree.
+    child
+        Index of the node taken below it.
+    """
 
     xor: Index
     child: Index
@@ -24,7 +33,16 @@ class Choice(Value):
 
 @dataclass(frozen=True, slots=True)
 class RoleType(Value):
-    """The robot type that fills a role."""
+    """
+    The robot type that fills a role.
+
+    Parameters
+    ----------
+    role
+        Index of the role in the grounded tree.
+    robot_type
+        Id of the type.
+    """
 
     role: Index
     robot_type: Id
@@ -32,7 +50,16 @@ class RoleType(Value):
 
 @dataclass(frozen=True, slots=True)
 class Assignment(Value):
-    """The robot that fills a role."""
+    """
+    The robot that fills a role.
+
+    Parameters
+    ----------
+    role
+        Index of the role in the grounded tree.
+    robot
+        Id of the robot.
+    """
 
     role: Index
     robot: Id

@@ -325,15 +325,14 @@ class RoutineLibrary(Value):
         spellings = tuple(name for routine in self.routines for name in {routine.id, routine.wire_name})
         require_unique("routine name", spellings)
         for routine in self.routines:
-            self._check_parts(routine, (routine.id,))
+            self._check_parts(routine)
+        self._check_circles()
 
-    def _check_parts(self, routine: Routine, above: tuple[str, ...]) -> None:
+    def _check_parts(self, routine: Routine) -> None:
         for part in routine.parts:
             inner = self.by_id.get(part.routine)
             if inner is None:
                 raise ValueError(f"routine {routine.id!r} is composed of {part.routine!r}, which is not known.")
-            if inner.id in above:
-                raise ValueError(f"routine {inner.id!r} is composed of itself: {' > '.join((*above, inner.id))}.")
             if missing := [
                 a.name for a in inner.arguments if a.name not in part.arguments and a.name not in routine.argument_kinds
             ]:
@@ -342,7 +341,28 @@ class RoutineLibrary(Value):
                 raise ValueError(
                     f"routine {routine.id!r} gives part {inner.id!r} an argument {unknown[0]!r} that it does not have."
                 )
-            self._check_parts(inner, (*above, inner.id))
+
+    def _check_circles(self) -> None:
+        """Take away, again and again, what is composed only of what was taken away; circles are what remains."""
+        left = {routine.id: {part.routine for part in routine.parts} for routine in self.routines}
+        users: dict[str, list[str]] = {name: [] for name in left}
+        for name, parts in left.items():
+            for part in parts:
+                users[part].append(name)
+        done = [name for name, parts in left.items() if not parts]
+        while done:
+            inner = done.pop()
+            del left[inner]
+            for name in users[inner]:
+                left[name].discard(inner)
+                if not left[name]:
+                    done.append(name)
+        if left:
+            way = [next(iter(left))]
+            while way.count(way[-1]) == 1:
+                way.append(min(left[way[-1]]))
+            circle = way[way.index(way[-1]) :]
+            raise ValueError(f"routine {circle[0]!r} is composed of itself: {' > '.join(circle)}.")
 
     @cached_property
     def by_id(self) -> dict[str, Routine]:

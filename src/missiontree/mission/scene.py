@@ -150,7 +150,16 @@ class KeepOut(Value):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RoadNode(Value):
-    """A named point of the road graph."""
+    """
+    A named point of the road graph.
+
+    Parameters
+    ----------
+    id
+        Name, used by roads and lifts.
+    position
+        Where it is.
+    """
 
     id: Id
     position: Position
@@ -276,7 +285,18 @@ class OccupancyGrid(Value):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Frame(Value):
-    """Pose of a frame in ``map``: turned by ``yaw_deg`` counter-clockwise, then moved to (x_m, y_m)."""
+    """
+    Pose of a frame in ``map``: turned by ``yaw_deg`` counter-clockwise, then moved to (x_m, y_m).
+
+    Parameters
+    ----------
+    id
+        Name of the frame, as positions give it.
+    x_m, y_m
+        Where its origin lies in ``map``, in metres, default (0, 0).
+    yaw_deg
+        By how much it is turned, in degrees counter-clockwise, default 0.
+    """
 
     id: Id
     x_m: float = 0.0
