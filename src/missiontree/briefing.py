@@ -91,7 +91,7 @@ def request_from(
         If a file cannot be read, or its contents do not fit together.
     """
     path = mission if isinstance(mission, Path) else project
-    file = _mission_file(path) if path is not None else MissionFile(mission=str(mission))
+    file = _mission_file(path) if path is not None else MissionFile(mission="-")
     words = file.mission if isinstance(mission, Path) else mission
     base = path.parent if path is not None else Path()
     if len(words.split()) > MAX_WORDS:
@@ -107,7 +107,7 @@ def request_from(
             scene=None if scene_from is None else _value(scene_from, "scene"),
             routines=load(library_files),
             entities=file.entities,
-            weights=weights or file.weights or Weights(),
+            weights=weights or file.weights,
             check_kinds=file.check_kinds if check_kinds is None else check_kinds,
         )
     except ValueError as error:
@@ -117,9 +117,13 @@ def request_from(
     tree = _value(base / file.tree, "tree") if file.tree else None
     sources = _sources(path, fleet_from, scene_from, library_files, method_files)
     request = Request(brief=brief, tree=tree, methods=tuple(method_files), sources=sources)
-    given = {"k": file.k, "allocator": file.allocator, "model": file.model, "seed": file.seed}
-    given |= {name: value for name, value in options.items() if value is not None}
-    return replace(request, **{name: value for name, value in given.items() if value is not None})
+    named: dict[str, Any] = {
+        "k": file.k,
+        "allocator": file.allocator,
+        "model": file.model or "offline",
+        "seed": file.seed,
+    }
+    return replace(request, **named | {name: value for name, value in options.items() if value is not None})
 
 
 def _mission_file(path: Path) -> MissionFile:

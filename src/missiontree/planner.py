@@ -19,7 +19,7 @@ from missiontree.authoring.transcript import replay
 from missiontree.briefing import Request, request_from
 from missiontree.checking import check
 from missiontree.errors import InputError, InternalError
-from missiontree.formats.digest import input_digests
+from missiontree.formats.inputs import input_digests
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.control import Control
 from missiontree.mission.estimate import Weights
