@@ -27,7 +27,7 @@ EXAMPLES = [
 def test_every_example_loads(kind: str, text: str) -> None:
     value = read_text(text, kind)
     if isinstance(value, RoutineFile):
-        RoutineLibrary((*built_in().routines, *value.routines))
+        RoutineLibrary(routines=(*built_in().routines, *value.routines))
 
 
 def test_there_are_examples() -> None:

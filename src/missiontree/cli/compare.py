@@ -10,7 +10,7 @@ import typer
 from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES, Exit
 from missiontree.cli.gathering import gather
-from missiontree.cli.plan import control_of
+from missiontree.cli.interrupt import controlled
 from missiontree.cli.screen import answers
 
 if TYPE_CHECKING:
@@ -76,8 +76,8 @@ def command(
     runs = []
     for name, allocate in ALLOCATORS.items():
         started = time.perf_counter()
-        control = control_of(DEFAULT_LIMIT_S if time_limit is None else time_limit, request.seed)
-        ranking = allocate(tree, brief.fleet, brief.weights, request.k, control)
+        with controlled(DEFAULT_LIMIT_S if time_limit is None else time_limit, request.seed) as control:
+            ranking = allocate(tree, brief.fleet, brief.weights, request.k, control)
         runs.append(Run(name, ranking, time.perf_counter() - started))
     if as_json:
         typer.echo(json.dumps([_plain(run, runs) for run in runs], indent=2))

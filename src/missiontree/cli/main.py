@@ -6,6 +6,7 @@ import sys
 from typing import Annotated
 
 import typer
+
 from missiontree import __version__
 from missiontree.cli import check, compare, init, plan, schema, show
 from missiontree.cli.exits import Exit, guarded
@@ -54,7 +55,9 @@ def _run() -> int:
     try:
         code = app(standalone_mode=False)
     except typer.TyperException as error:
-        raise InputError(error.format_message(), hint="`missiontree COMMAND --help` lists what a command takes.") from error
+        raise InputError(
+            error.format_message(), hint="`missiontree COMMAND --help` lists what a command takes."
+        ) from error
     except typer.Abort as error:
         raise KeyboardInterrupt from error
     return code if isinstance(code, int) else Exit.DELIVERED

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,11 +10,11 @@ import typer
 from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES
 from missiontree.cli.gathering import gather
+from missiontree.cli.interrupt import controlled
 from missiontree.cli.screen import answers, remarks
 from missiontree.errors import InputError
 
 if TYPE_CHECKING:
-    from missiontree.mission.control import Control
     from missiontree.mission.plan import Plan
 
 
@@ -64,25 +63,12 @@ def command(
     if not (quiet or as_json):
         for source in request.sources:
             remarks(colour).print(f"using {source}", style="dim", markup=False)
-    plan = plan_request(request, control_of(time_limit, request.seed))
+    with controlled(time_limit, request.seed) as control:
+        plan = plan_request(request, control)
+        if plan.outcome == "exhausted" and control.stop():
+            raise KeyboardInterrupt
     deliver(plan, out, transcript, as_json, quiet, colour)
     return OUTCOMES[plan.outcome]
-
-
-def control_of(time_limit: float | None, seed: int) -> Control:
-    """Limits of this run; the first Ctrl-C asks long work to stop with what it has, the second interrupts."""
-    from missiontree.mission.control import Control
-
-    if time_limit is not None and not time_limit >= 0:
-        raise InputError(f"--time-limit {time_limit}", accepted="a number of seconds of at least 0")
-    asked: list[bool] = []
-
-    def ask(signum: int, frame: object) -> None:
-        asked.append(True)
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-
-    signal.signal(signal.SIGINT, ask)
-    return Control(time_limit_s=time_limit, stop=lambda: bool(asked), seed=seed)
 
 
 def deliver(
