@@ -289,25 +289,6 @@ class Routine(Value):
 
 
 @dataclass(frozen=True, kw_only=True)
-class RoutineFile(Value):
-    """
-    What one routines file holds. Its composed routines may name parts that other files, or the built-in ones, define.
-
-    Parameters
-    ----------
-    routines
-        At least one routine, ids unique.
-    """
-
-    routines: tuple[Routine, ...]
-
-    def _check(self) -> None:
-        if not self.routines:
-            raise ValueError("a routines file holds at least one routine.")
-        require_unique("routine", tuple(routine.id for routine in self.routines))
-
-
-@dataclass(frozen=True, kw_only=True)
 class RoutineLibrary(Value):
     """
     The routines on offer.

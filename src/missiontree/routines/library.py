@@ -8,9 +8,9 @@ from importlib import resources
 from pathlib import Path
 
 from missiontree.errors import InputError
-from missiontree.mission.routine import Routine, RoutineFile, RoutineLibrary
+from missiontree.formats.document import read_file, read_text
+from missiontree.mission.routine import Routine, RoutineLibrary
 from missiontree.routines.compose import flatten
-from missiontree.routines.document import read_routines
 from missiontree.routines.python import collect
 
 BUILT_IN_FILES = ("search", "follow", "reach", "transport", "combined")
@@ -21,7 +21,8 @@ def built_in() -> RoutineLibrary:
     """The paper's six: Search, Follow, Reach, Transport, SearchAndFollow, ReachAndTransport."""
     folder = resources.files("missiontree.routines") / "library"
     files = (
-        read_routines((folder / f"{name}.yaml").read_text(encoding="utf-8"), f"{name}.yaml") for name in BUILT_IN_FILES
+        read_text((folder / f"{name}.yaml").read_text(encoding="utf-8"), "routines", f"{name}.yaml")
+        for name in BUILT_IN_FILES
     )
     return RoutineLibrary(routines=tuple(routine for file in files for routine in file.routines))
 
@@ -44,23 +45,12 @@ def load(paths: Iterable[Path | str]) -> RoutineLibrary:
     found: list[Routine] = []
     origin: dict[str, str] = {}
     for path in map(Path, paths):
-        for routine in collect(path) if path.suffix == ".py" else read_file(path).routines:
+        for routine in collect(path) if path.suffix == ".py" else read_file(path, "routines").routines:
             if routine.id in origin:
                 raise _twice(routine, f"{origin[routine.id]} defines it too", str(path))
             origin[routine.id] = str(path)
             found.append(routine)
     return with_routines(built_in(), found, origin) if found else built_in()
-
-
-def read_file(path: Path) -> RoutineFile:
-    """The routines of one YAML or JSON file."""
-    try:
-        text = path.read_text(encoding="utf-8")
-    except FileNotFoundError as error:
-        raise InputError("there is no such file.", file=str(path), accepted="a file of routines") from error
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"the file cannot be read: {error}.", file=str(path)) from error
-    return read_routines(text, str(path))
 
 
 def with_routines(

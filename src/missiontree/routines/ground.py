@@ -1,0 +1,87 @@
+"""MissionTree to GroundedTree: each routine becomes an XOR over the ways and the robot types able to do it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from missiontree.errors import InputError
+from missiontree.estimation.estimator import Estimator
+from missiontree.estimation.table import TableEstimator
+from missiontree.mission.brief import MissionBrief
+from missiontree.mission.grounded import GroundedLink, GroundedTree, Grounding
+from missiontree.mission.scene import Scene
+from missiontree.mission.tree import Link, MissionTree
+from missiontree.routines.calls import Call, calls_of
+from missiontree.routines.expansion import Expansion
+from missiontree.routines.order import RoutineOrder, order_moved
+from missiontree.routines.review import assumed_positions, lost_entities, never_binding
+
+
+def ground(tree: MissionTree, brief: MissionBrief, estimator: Estimator | None = None) -> Grounding:
+    """
+    Expand a mission tree over fleet and scene.
+
+    A routine node becomes an XOR with a child for each of its ways and each robot type able to go it; below are the actions.
+    A way for several robots is an AND of roles, each an XOR over types. A routine that nobody can do is an XOR without children.
+
+    Parameters
+    ----------
+    tree
+        The mission; every leaf is a routine.
+    brief
+        Fleet, scene and routines.
+    estimator
+        What says how well, how long and how dear. Default: the table of the fleet.
+
+    Raises
+    ------
+    InputError
+        If a routine, argument, entity or robot type is not known, a leaf is no routine, or links contradict each other.
+    """
+    world = _world(tree, brief)
+    for leaf in tree.open_leaves:
+        raise InputError(f"task {leaf.label!r} is a leaf.", where=leaf.id, accepted="routines as leaves")
+    order = RoutineOrder(tree)
+    calls = calls_of(tree, brief, world)
+    added, notices = order_moved(tree, calls, order)
+    return Grounding(
+        tree=_grounded(tree, brief, calls, (*tree.links, *added), estimator or TableEstimator()),
+        not_offered=tuple(replace(reason, node=name) for name, call in calls.items() for reason in call.not_offered),
+        assumptions=(
+            *(replace(reason, node=name) for name, call in calls.items() for reason in call.assumptions),
+            *assumed_positions(calls, world, brief.scene is not None),
+        ),
+        notices=tuple(notices),
+        findings=(
+            *never_binding(tree, order.selection),
+            *(lost_entities(tree, calls, order, world) if brief.scene is not None else ()),
+        ),
+    )
+
+
+def _world(tree: MissionTree, brief: MissionBrief) -> Scene:
+    try:
+        return brief.world.extended(tree.entities)
+    except ValueError as error:
+        raise InputError(str(error), where="entities") from error
+
+
+def _grounded(
+    tree: MissionTree, brief: MissionBrief, calls: Mapping[str, Call], links: tuple[Link, ...], estimator: Estimator
+) -> GroundedTree:
+    expansion = Expansion(brief.fleet, estimator)
+    index: dict[str, int] = {}
+    for node in tree.nodes:
+        parent = index[tree.parent[node.id]] if node.id in tree.parent else -1
+        if node.routine is not None:
+            index[node.id] = expansion.add_call(parent, node, calls[node.id])
+        else:
+            index[node.id] = expansion.add(parent, node.gate or "and", node.label, node.id)
+    own = (GroundedLink(index[link.first], index[link.second], link.kind) for link in links)
+    return GroundedTree(
+        objective=tree.objective,
+        nodes=tuple(expansion.nodes),
+        roles=tuple(expansion.roles),
+        links=(*own, *expansion.links),
+    )

@@ -1,0 +1,149 @@
+"""The travel of one robot type through a role, as far as it is known before anything is scheduled."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass, replace
+
+from missiontree.estimation.travel import Blocked, Leg, TravelModel, speed_of, start_of, travel_time_s
+from missiontree.mission.fleet import RobotType
+from missiontree.mission.position import Position
+from missiontree.mission.reason import Reason
+from missiontree.mission.scene import Entity, Scene
+from missiontree.routines.compose import FlatAction, FlatRole
+
+
+@dataclass(frozen=True, slots=True)
+class Travel:
+    """
+    Travel for one action.
+
+    Parameters
+    ----------
+    distance_m
+        Estimated length; an approach counts from the start of the type's nearest robot.
+    duration_s
+        Estimated time of it; None if it is not known, since a position or the type's speed is not.
+    certain_m
+        Length that is travelled whatever happens before the role; an approach counts 0.
+    """
+
+    distance_m: float = 0.0
+    duration_s: float | None = None
+    certain_m: float = 0.0
+
+
+@dataclass(slots=True)
+class _Robot:
+    """Where the robot is while its role is walked through: at one of its type's starts until its first action with a place."""
+
+    position: Position | None = None
+    certain: bool = False
+    started: bool = False
+
+
+class Itineraries:
+    """
+    Walks roles through the scene.
+
+    Parameters
+    ----------
+    scene
+        The world, introduced entities included.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self._scene = scene
+        self._model = TravelModel(scene)
+        self._starts: dict[str, tuple[Position | None, ...]] = {}
+
+    def walk(
+        self, role: FlatRole, robot_type: RobotType, entities: Mapping[str, Entity], elsewhere: Collection[str]
+    ) -> tuple[Travel, ...] | Reason:
+        """
+        Travel for each action of a role, or the Reason why the type can never get through it.
+
+        Parameters
+        ----------
+        role
+            What the robot does.
+        robot_type
+            Who does it.
+        entities
+            Entities by argument.
+        elsewhere
+            Entities that other roles move: where they will be is not certain.
+        """
+        robot = _Robot()
+        brought: dict[str, tuple[Position | None, bool]] = {}
+        travels: list[Travel] = []
+        for action in role.actions:
+            target = action.step.goes_to or action.step.at
+            if target is None:
+                travels.append(Travel())
+                continue
+            entity = entities[target]
+            position, certain = brought.get(entity.id, (None, False))
+            if entity.id not in brought:
+                position, certain = self._scene.whereabouts(entity).position, entity.id not in elsewhere
+            travel = self._step(robot, robot_type, (position, certain), self._followers(action, entities))
+            if isinstance(travel, Reason):
+                return travel
+            travels.append(travel)
+            if position is not None or action.step.goes_to is not None:
+                robot.position, robot.certain, robot.started = position, certain, True
+            brought |= {entities[name].id: (position, certain) for name in action.step.brings}
+        return tuple(travels)
+
+    def _followers(self, action: FlatAction, entities: Mapping[str, Entity]) -> tuple[Entity, ...]:
+        return tuple(entities[name] for name in action.step.brings)
+
+    def _step(
+        self, robot: _Robot, robot_type: RobotType, target: tuple[Position | None, bool], followers: Iterable[Entity]
+    ) -> Travel | Reason:
+        position, certain = target
+        if position is None:
+            return Travel()
+        speed_mps = speed_of(robot_type, followers)
+        if not robot.started:
+            return self._approach(robot_type, position, certain, speed_mps)
+        if robot.position is None:
+            return Travel()
+        leg = self._model.leg(robot_type, robot.position, position, speed_mps)
+        sure = certain and robot.certain
+        if isinstance(leg, Blocked):
+            return leg.reason if sure else Travel()
+        return Travel(leg.distance_m, _time_s(leg, speed_mps), leg.distance_m if sure else 0.0)
+
+    def _approach(
+        self, robot_type: RobotType, position: Position, certain: bool, speed_mps: float | None
+    ) -> Travel | Reason:
+        """The way from the nearest robot. If no robot's start has a way, none ever will: starts lead to all else it can reach."""
+        starts = self._starts_of(robot_type)
+        known = [start for start in starts if start is not None]
+        legs = [self._model.leg(robot_type, start, position, speed_mps) for start in known]
+        ways = [leg for leg in legs if isinstance(leg, Leg)]
+        if ways:
+            nearest = min(ways, key=lambda leg: (travel_time_s(leg, speed_mps or 1.0), leg.distance_m))
+            return Travel(nearest.distance_m, _time_s(nearest, speed_mps))
+        blocked = next((leg for leg in legs if isinstance(leg, Blocked)), None)
+        if blocked is not None and certain and len(known) == len(starts):
+            return blocked.reason
+        return Travel()
+
+    def _starts_of(self, robot_type: RobotType) -> tuple[Position | None, ...]:
+        if robot_type.id not in self._starts:
+            members = robot_type.members if robot_type.robots else robot_type.members[:1]
+            self._starts[robot_type.id] = tuple(dict.fromkeys(start_of(robot, self._scene) for robot in members))
+        return self._starts[robot_type.id]
+
+
+def _time_s(leg: Leg, speed_mps: float | None) -> float | None:
+    return None if speed_mps is None else travel_time_s(leg, speed_mps)
+
+
+def unreachable(reason: Reason, robot_type: RobotType, task: str) -> Reason:
+    """The travel model's Reason, said of a type and its task."""
+    return replace(
+        reason, robot=robot_type.id, message=f"{robot_type.label} cannot do {task}: {reason.message}", severity="error"
+    )

@@ -1,0 +1,180 @@
+"""What a routine call has on offer: its branches, the robot types that can fill each role, and why the others cannot."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.reason import Reason
+from missiontree.mission.routine import Routine, RoutineLibrary
+from missiontree.mission.scene import Entity, Scene
+from missiontree.routines.arguments import check_arguments, check_resources
+from missiontree.routines.compose import FlatBranch, flatten
+from missiontree.routines.conditions import judge, kind_refused
+from missiontree.routines.staffing import shortage
+
+
+@dataclass(frozen=True, slots=True)
+class BranchOffer:
+    """
+    A branch that can be done.
+
+    Parameters
+    ----------
+    branch
+        What is done.
+    task
+        Its name in messages: ``Transport(cat, safe area) by carry``.
+    types
+        For each role, the ids of the types able to fill it, in fleet order.
+    """
+
+    branch: FlatBranch
+    task: str
+    types: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Offers:
+    """
+    What a routine call has on offer.
+
+    Parameters
+    ----------
+    branches
+        The branches that can be done.
+    refused
+        Why types and branches are not offered. Every pair that is not offered has its Reason; one without a robot speaks of
+        the whole branch.
+    assumptions
+        What was unknown and taken in favour of what is offered.
+    """
+
+    branches: tuple[BranchOffer, ...]
+    refused: tuple[Reason, ...] = ()
+    assumptions: tuple[Reason, ...] = ()
+
+    @property
+    def able(self) -> bool:
+        """Whether anybody can do it."""
+        return bool(self.branches)
+
+    @property
+    def able_types(self) -> tuple[str, ...]:
+        """Types that can fill a role of some branch, in the order in which they come up."""
+        return tuple(dict.fromkeys(type_id for offer in self.branches for types in offer.types for type_id in types))
+
+
+def offers_for(
+    routine: Routine,
+    entities: Mapping[str, Entity],
+    fleet: Fleet,
+    scene: Scene,
+    library: RoutineLibrary,
+    resources: tuple[str, ...] | None = None,
+    check_kinds: bool = True,
+) -> Offers:
+    """
+    What a call of a routine has on offer.
+
+    Parameters
+    ----------
+    routine
+        The routine called.
+    entities
+        Entity by argument.
+    fleet, scene
+        Who is there, and where.
+    library
+        Where the parts of composed routines are.
+    resources
+        Types allowed; None (default) means all.
+    check_kinds
+        Whether kinds of arguments are enforced. Default true.
+
+    Raises
+    ------
+    InputError
+        If arguments are missing or not the routine's, or a type is named that the fleet does not have.
+    """
+    check_arguments(routine, entities, routine.id)
+    check_resources(resources, fleet, routine.id)
+    call = f"{routine.id}({', '.join(entities[argument.name].label for argument in routine.arguments)})"
+    flat = flatten(routine, library)
+    offered: list[BranchOffer] = []
+    refused: list[Reason] = _excluded(call, fleet, resources)
+    assumed: list[Reason] = []
+    for branch in flat:
+        task = f"{call} by {branch.name}" if len(flat) > 1 else call
+        reason = kind_refused(branch, entities, scene, task) if check_kinds else None
+        if reason is not None:
+            refused.append(reason)
+            continue
+        types, unfit, taken = _able_types(branch, entities, fleet, scene, task, resources)
+        refused += unfit
+        if all(types) and (reason := shortage(branch, types, fleet, task)) is not None:
+            refused.append(reason)
+        elif all(types):
+            offered.append(BranchOffer(branch, task, types))
+            assumed += taken
+        else:
+            refused += _unfilled(branch, types, task)
+    return Offers(tuple(offered), tuple(dict.fromkeys(refused)), tuple(dict.fromkeys(assumed)))
+
+
+def _excluded(call: str, fleet: Fleet, resources: tuple[str, ...] | None) -> list[Reason]:
+    return [
+        Reason(
+            rule="resource_excluded",
+            message=f"{robot_type.label} is not among the resources allowed for {call}.",
+            robot=robot_type.id,
+            found=robot_type.id,
+            needed=", ".join(resources or ()) or "none",
+        )
+        for robot_type in fleet.types
+        if resources is not None and robot_type.id not in resources
+    ]
+
+
+def _able_types(
+    branch: FlatBranch,
+    entities: Mapping[str, Entity],
+    fleet: Fleet,
+    scene: Scene,
+    task: str,
+    resources: tuple[str, ...] | None,
+) -> tuple[tuple[tuple[str, ...], ...], list[Reason], list[Reason]]:
+    """Types able to fill each role; then why others are not, and what was assumed."""
+    types: list[tuple[str, ...]] = []
+    refused: list[Reason] = []
+    assumed: list[Reason] = []
+    for role in branch.roles:
+        part = task if len(branch.roles) == 1 else f"{role.name} of {task}"
+        able: list[str] = []
+        for robot_type in fleet.types:
+            if resources is not None and robot_type.id not in resources:
+                continue
+            verdict = judge(role, robot_type, entities, scene, part)
+            refused += verdict.refused
+            if not verdict.refused:
+                able.append(robot_type.id)
+                assumed += verdict.assumed
+        types.append(tuple(able))
+    return tuple(types), refused, assumed
+
+
+def _unfilled(branch: FlatBranch, types: tuple[tuple[str, ...], ...], task: str) -> list[Reason]:
+    """With several roles, a type able to fill one is lost with the branch: say so. With one, each type has its own reason."""
+    if len(branch.roles) == 1:
+        return []
+    empty = [role.name for role, able in zip(branch.roles, types, strict=True) if not able]
+    return [
+        Reason(
+            rule="no_robot_able",
+            message=f"{task} needs a robot as {name}, and none can be that.",
+            found="no robot type",
+            needed=name,
+        )
+        for name in empty
+    ]
