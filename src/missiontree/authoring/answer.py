@@ -1,0 +1,69 @@
+"""What every tree-building call answers: done or refused, and the state that the caller needs next."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from missiontree.mission.reason import Reason
+
+_SHOWN = ("rule", "message", "hint")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Answer:
+    """
+    The answer to one call.
+
+    Parameters
+    ----------
+    ok
+        Whether the call applied. A call that did not has changed nothing.
+    data
+        State for the caller's next step: new ids, open leaves, offers. Plain JSON values.
+    reasons
+        Why the call was refused; empty if it was not.
+    notices
+        What was done on the caller's behalf (severity ``notice``) or taken for granted (severity ``assumption``).
+    picture
+        An SVG, from ``plotTree`` only. Kept apart from ``data`` since it is for people.
+    """
+
+    ok: bool
+    data: Mapping[str, Any] = field(default_factory=dict)
+    reasons: tuple[Reason, ...] = ()
+    notices: tuple[Reason, ...] = ()
+    picture: str = ""
+
+    @property
+    def text(self) -> str:
+        """
+        The answer as one JSON object, for models.
+
+        JSON and not prose, so that a name out of the scene stands quoted and cannot pass for words of ours.
+        """
+        plain: dict[str, Any] = {"ok": self.ok}
+        if self.reasons:
+            plain["refused"] = [_shown(reason) for reason in self.reasons]
+        if self.notices:
+            plain["notices"] = [_shown(reason) for reason in self.notices]
+        return json.dumps(plain | dict(self.data), ensure_ascii=False)
+
+
+class RefusalError(Exception):
+    """Leaves a call early; never leaves the tree-building functions, which turn it into an :class:`Answer`."""
+
+    def __init__(self, *reasons: Reason) -> None:
+        super().__init__(reasons[0].message)
+        self.reasons = reasons
+
+
+def refuse(rule: str, message: str, **more: str) -> RefusalError:
+    """The refusal of that rule, ready to be raised."""
+    return RefusalError(Reason(rule=rule, message=message, **more))  # type: ignore[arg-type]  # severity stays "error"
+
+
+def _shown(reason: Reason) -> dict[str, str]:
+    return {name: getattr(reason, name) for name in _SHOWN if getattr(reason, name)}

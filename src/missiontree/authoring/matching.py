@@ -1,0 +1,86 @@
+"""
+How names are compared.
+
+Robots, routines and entities are matched exactly, letter case aside. Only the name of a *parent* may be a little off, since a model
+often rewords the task it has just made; a match of that kind is always announced. Look-alike letters of another script never
+match: folding is canonical (NFC), not by compatibility, and a word is near another only if both are written in the same script.
+"""
+
+from __future__ import annotations
+
+import difflib
+import unicodedata
+from collections.abc import Iterable
+
+_ARTICLES = frozenset({"the", "a", "an"})
+_LINKING_WORDS = frozenset({"and", "with", "of", "for", "to", "in", "on", "at", "from", "her", "his", "its", "their"})
+_LONG_WORD = 5
+
+
+def same_name(name: str) -> str:
+    """The form under which names of routines, robots and entities are compared: letter case and outer blanks aside."""
+    return unicodedata.normalize("NFC", " ".join(name.split())).casefold()
+
+
+def words_of(name: str) -> tuple[str, ...]:
+    """The words of a name, letter case and punctuation aside."""
+    folded = unicodedata.normalize("NFC", name).casefold()
+    spaced = "".join(" " if unicodedata.category(letter)[0] in "PZ" else letter for letter in folded)
+    return tuple(spaced.split())
+
+
+def without_articles(name: str) -> tuple[str, ...]:
+    """The words of a name, articles aside as well."""
+    return tuple(word for word in words_of(name) if word not in _ARTICLES)
+
+
+def is_near(name: str, other: str) -> bool:
+    """
+    Whether two names mean the same but for linking words ("and" for "with") and one slip in a long word.
+
+    Words that carry meaning must be the same and stand in the same order; numbers must be equal.
+    """
+    own, its = (tuple(w for w in without_articles(n) if w not in _LINKING_WORDS) for n in (name, other))
+    if len(own) != len(its) or not own:
+        return False
+    return all(one == two or _one_slip(one, two) for one, two in zip(own, its, strict=True))
+
+
+def suggestions(name: str, known: Iterable[str], count: int = 3) -> list[str]:
+    """Names that look most like the given one, best first; for a person or a model to pick from."""
+    by_form = {same_name(candidate): candidate for candidate in known}
+    return [by_form[form] for form in difflib.get_close_matches(same_name(name)[:200], by_form, n=count, cutoff=0.4)]
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """A hint naming the nearest matches; empty if nothing is near."""
+    near = suggestions(name, known)
+    return f"Did you mean {' or '.join(repr(candidate) for candidate in near)}?" if near else ""
+
+
+def listed(names: Iterable[str], most: int = 20) -> str:
+    """Names separated by commas, the first few of a long list."""
+    every = list(names)
+    tail = f" and {len(every) - most} more" if len(every) > most else ""
+    return ", ".join(every[:most]) + tail if every else "none"
+
+
+def _one_slip(one: str, two: str) -> bool:
+    """Whether two long words of one script differ by one letter left out, put in, changed, or by two swapped."""
+    if min(len(one), len(two)) < _LONG_WORD or _scripts(one) != _scripts(two) or _has_digit(one + two):
+        return False
+    start = 0
+    while start < min(len(one), len(two)) and one[start] == two[start]:
+        start += 1
+    left, right = one[start:], two[start:]
+    if left[1:] == right[1:] or left[1:] == right or left == right[1:]:
+        return True
+    return left[2:] == right[2:] and left[:2] == right[1::-1]
+
+
+def _scripts(word: str) -> set[str]:
+    return {unicodedata.name(letter, "?").split(" ")[0] for letter in word}
+
+
+def _has_digit(word: str) -> bool:
+    return any(letter.isnumeric() for letter in word)
