@@ -17,6 +17,7 @@ from missiontree.mission.scene import OccupancyGrid
 _DIAGONAL = math.sqrt(2)
 _WALL = "a wall"
 _CLOSED_COST = 1e9
+_CELLS_REMEMBERED = 1_000_000
 
 
 class GridWays:
@@ -51,12 +52,11 @@ class GridWays:
 
     def _walls(self) -> dict[int, str]:
         """Name of what closes a cell, for every closed cell."""
-        border = _WALL + " or the end of the grid"
         rows = ["#" * self._width, *(f"#{row}#" for row in self._grid.rows), "#" * self._width]
         closed: dict[int, str] = {}
         for cell, mark in enumerate("".join(rows)):
             if mark == "#":
-                closed[cell] = border
+                closed[cell] = _WALL
             elif (name := self._obstacles.holding(self._centre(cell))) is not None:
                 closed[cell] = name
         return closed
@@ -69,13 +69,19 @@ class GridWays:
         start, goal = self._cell(xy(origin)), self._cell(xy(destination))
         if start == goal:
             return Leg(distance(xy(origin), xy(destination)))
-        tree = self._trees.get(start)
-        if tree is None:
-            tree = self._trees[start] = ShortestTree(start, self._neighbours)
+        tree = self._tree(start)
         if tree.cost(goal) is None:
             return self._cut_off(origin, start, destination, goal)
         ends = distance(xy(origin), self._centre(start)) + distance(xy(destination), self._centre(goal))
         return Leg(self._length_m(tree.way(goal)) + ends)
+
+    def _tree(self, start: int) -> ShortestTree:
+        tree = self._trees.get(start)
+        if tree is None:
+            if len(self._trees) > _CELLS_REMEMBERED // len(self._free):  # large grids: the oldest goes, or memory would
+                del self._trees[next(iter(self._trees))]
+            tree = self._trees[start] = ShortestTree(start, self._neighbours)
+        return tree
 
     def _length_m(self, way: list[int]) -> float:
         # Steps are counted, not summed up, so that the length does not hang on their order.
@@ -124,7 +130,7 @@ class GridWays:
         if not (0 <= column < len(self._grid.rows[0]) and 0 <= row < len(self._grid.rows)):
             return unreachable(f"{describe(position)} is outside the grid, which spans {self._span()}.")
         closed = self._closed.get(self._cell(xy(position)))
-        if closed is not None and self._grid.rows[row][column] == "#":
+        if closed == _WALL:
             return unreachable(
                 f"{describe(position)} is inside a wall.", found=f"row {row + 1}, cell {column + 1} of the grid is '#'"
             )
