@@ -1,1 +1,9 @@
 """Alternative to schedule."""
+
+from __future__ import annotations
+
+from missiontree.scheduling.greedy import greedy
+from missiontree.scheduling.scheduler import Scheduler
+
+SCHEDULERS: dict[str, Scheduler] = {"greedy": greedy}
+"""Every scheduler there is, by name."""

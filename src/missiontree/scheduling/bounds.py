@@ -1,0 +1,248 @@
+"""
+Lower bounds on the makespan: no schedule of the alternative can be shorter, whichever robots are taken.
+
+Two of them. *Critical path*: the longest chain of actions that must follow each other, travel included where both ends are certain.
+*Load*: what the robots of a type must do, shared evenly among them, after the earliest that any of it can begin and before the
+least that must still follow (the subset bound of parallel machines with heads and tails).
+"""
+
+from __future__ import annotations
+
+import heapq
+import itertools
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+from missiontree.estimation.travel import Blocked, start_of
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.grounded import Action
+from missiontree.mission.position import Position
+from missiontree.scheduling.places import Places, Spots
+from missiontree.scheduling.precedence import TaskGraph
+from missiontree.scheduling.staffing import Staffing
+from missiontree.scheduling.ticks import ticks
+from missiontree.scheduling.trips import Spot, Trips
+
+_MANY = 48  # spots of a type beyond which travel is bounded by nothing; keeps bounds cheaper than schedules
+
+
+@dataclass(slots=True)
+class Bounds:
+    """
+    What is known before any schedule is made, in ticks.
+
+    Parameters
+    ----------
+    makespan
+        No schedule is shorter.
+    method
+        ``critical_path`` or ``load``: which bound is the largest.
+    duration
+        Least duration of each activity.
+    lag
+        Least time from the start of an action's predecessor's end to its own start, within a role, by leaf.
+    heads, tails
+        For each event, the least time before it, and the least time from it to the end of the mission.
+    """
+
+    makespan: int
+    method: str
+    duration: list[int]
+    lag: dict[int, int] = field(default_factory=dict)
+    heads: list[int] = field(default_factory=list)
+    tails: list[int] = field(default_factory=list)
+
+
+def lower_bounds(
+    graph: TaskGraph, order: Sequence[int], staffing: Staffing, places: Places, fleet: Fleet, trips: Trips
+) -> Bounds:
+    """
+    Bounds of one alternative.
+
+    Parameters
+    ----------
+    graph, order
+        A task graph without a cycle, and its events in order.
+    staffing
+        Types and groups of the roles.
+    places
+        Where actions can possibly happen.
+    fleet, trips
+        Robots and ways.
+    """
+    travel = _Travel(graph, staffing, places, fleet, trips)
+    duration = [_least_duration(graph, activity, travel) for activity in range(len(graph.activities))]
+    lag = {leaf: travel.before(leaf) for leaf in travel.previous if not graph.tree.action(leaf).moves}
+    release = _releases(graph, travel, duration)
+    heads, tails = _longest_paths(graph, order, duration, lag, release)
+    path = max(heads, default=0)
+    load = _load_bound(graph, staffing, fleet, duration, lag, heads, tails)
+    method = "load" if load > path else "critical_path"
+    return Bounds(max(path, load), method, duration, lag, heads, tails)
+
+
+class _Travel:
+    """Least travel to each action."""
+
+    def __init__(self, graph: TaskGraph, staffing: Staffing, places: Places, fleet: Fleet, trips: Trips) -> None:
+        self._graph, self._places, self._trips = graph, places, trips
+        self.previous: dict[
+            int, Spots | None
+        ] = {}  # where the robot is before a leaf that is not its role's first; None: anywhere
+        visited: dict[str, set[Spot]] = {}
+        for role, leaves in graph.roles.items():
+            spots = visited.setdefault(staffing.type_of[role], set())
+            here: Spots | None = None
+            for index, leaf in enumerate(leaves):
+                action, there = graph.tree.action(leaf), places.of[leaf]
+                if index:
+                    self.previous[leaf] = here
+                if action.moves or (action.at is not None and None not in there):
+                    here = there
+                elif action.at is not None:
+                    here = None  # at an unknown place the robot stays, wherever it was
+                if action.at is not None or action.moves:
+                    spots |= there
+        self._starts = {
+            kind.id: {start_of(robot, trips.scene) for robot in kind.members}
+            for kind in fleet.types
+            if kind.id in visited
+        }
+        self._visited = visited
+        self._arrivals = {kind: self._least_arrivals(kind) for kind in visited}
+
+    def before(self, leaf: int) -> int:
+        """Least travel inside a role before an action, or as the move that it is."""
+        action, there = self._graph.tree.action(leaf), self._places.of[leaf]
+        if action.moves:
+            return self._least_move(action, self.previous.get(leaf), there)
+        here = self.previous.get(leaf)
+        if action.at is None or here is None or None in there or None in here:
+            return 0
+        return self._least(action, here, there)
+
+    def arrival(self, leaf: int) -> int:
+        """Ticks before which no robot of the type can be where the action is, or where the move goes."""
+        action, there = self._graph.tree.action(leaf), self._places.of[leaf]
+        if None in there:
+            return 0
+        arrivals = self._arrivals[action.robot_type]
+        return min((arrivals.get(spot, 0) for spot in there), default=0)
+
+    def _least_move(self, action: Action, here: Spots | None, there: Spots) -> int:
+        nominal = ticks(action.duration_s)
+        if there == {None} or not self._trips.speed_known(action.robot_type):
+            return nominal
+        if here is None:
+            return 0 if self._visited[action.robot_type] - {None} else nominal
+        known = self._least(action, here - {None}, there - {None})
+        return min(known, nominal) if None in here or None in there else known
+
+    def _least(self, action: Action, here: Spots, there: Spots) -> int:
+        if len(here) * len(there) > _MANY * _MANY:
+            return 0
+        trips = (self._trips.trip(action, origin, destination) for origin in here for destination in there)
+        return min((trip.ticks for trip in trips if not isinstance(trip, Blocked)), default=0)
+
+    def _least_arrivals(self, kind: str) -> dict[Spot, int]:
+        """Least time to each spot of the type over any chain of legs (Dijkstra); empty if a spot on the way may be unknown."""
+        starts, spots = self._starts[kind], self._visited[kind]
+        if None in starts or None in spots or len(starts | spots) > _MANY:
+            return {}
+        best: dict[Spot, int] = dict.fromkeys(starts, 0)
+        queue = [(0, number, spot) for number, spot in enumerate(sorted(starts, key=repr))]
+        counter = len(queue)
+        while queue:
+            time, _, spot = heapq.heappop(queue)
+            if time > best[spot]:
+                continue
+            for after in sorted(spots, key=repr):
+                assert isinstance(spot, Position)
+                assert isinstance(after, Position)
+                trip = self._trips.approach(kind, spot, after)
+                if isinstance(trip, Blocked) or time + trip.ticks >= best.get(after, time + trip.ticks + 1):
+                    continue
+                best[after] = time + trip.ticks
+                counter += 1
+                heapq.heappush(queue, (best[after], counter, after))
+        return best
+
+
+def _least_duration(graph: TaskGraph, activity: int, travel: _Travel) -> int:
+    if activity in graph.until:
+        return 0
+    actions = ((leaf, graph.tree.action(leaf)) for leaf in graph.activities[activity])
+    return max(travel.before(leaf) if action.moves else ticks(action.duration_s) for leaf, action in actions)
+
+
+def _releases(graph: TaskGraph, travel: _Travel, duration: Sequence[int]) -> dict[int, int]:
+    release: dict[int, int] = {}
+    for activity, leaves in enumerate(graph.activities):
+        for leaf in leaves:
+            action = graph.tree.action(leaf)
+            if action.at is not None:
+                event = 2 * activity + action.moves
+                release[event] = max(release.get(event, 0), travel.arrival(leaf))
+    return release
+
+
+def _longest_paths(
+    graph: TaskGraph, order: Sequence[int], duration: Sequence[int], lag: dict[int, int], release: dict[int, int]
+) -> tuple[list[int], list[int]]:
+    heads = [release.get(event, 0) for event in range(len(graph.successors))]
+    tails = [0] * len(heads)
+    between = {
+        (graph.end(before), graph.start(after)): lag.get(after, 0)
+        for leaves in graph.roles.values()
+        for before, after in itertools.pairwise(leaves)
+    }
+
+    def weight(event: int, after: int) -> int:
+        if event % 2 == 0 and after == event + 1 and event // 2 < len(duration):
+            return duration[event // 2]
+        return between.get((event, after), 0)
+
+    for event in order:
+        for after in graph.successors[event]:
+            heads[after] = max(heads[after], heads[event] + weight(event, after))
+    for event in reversed(order):
+        for after in graph.successors[event]:
+            tails[event] = max(tails[event], tails[after] + weight(event, after))
+    return heads, tails
+
+
+def _load_bound(
+    graph: TaskGraph,
+    staffing: Staffing,
+    fleet: Fleet,
+    duration: Sequence[int],
+    lag: dict[int, int],
+    heads: Sequence[int],
+    tails: Sequence[int],
+) -> int:
+    by_type: dict[str, list[tuple[int, int, int]]] = {}
+    by_group: dict[int, list[tuple[int, int, int]]] = {}
+    for role, leaves in graph.roles.items():
+        hold = sum(duration[graph.activity_of[leaf]] + lag.get(leaf, 0) for leaf in leaves)
+        piece = (heads[graph.start(leaves[0])], hold, tails[graph.end(leaves[-1])])
+        by_type.setdefault(staffing.type_of[role], []).append(piece)
+        by_group.setdefault(staffing.group_of[role], []).append(piece)
+    loads = [_shared(pieces, len(fleet.by_id[kind].members)) for kind, pieces in by_type.items()]
+    loads += [_shared(pieces, 1) for pieces in by_group.values() if len(pieces) > 1]
+    return max(loads, default=0)
+
+
+def _shared(pieces: Iterable[tuple[int, int, int]], robots: int) -> int:
+    """The largest, over sets of pieces, of least head + load per robot + least tail."""
+    pieces = sorted(pieces, key=lambda piece: -piece[2])  # by tail, the longest first
+    heads = sorted({head for head, _, _ in pieces})
+    if len(heads) * len(pieces) > 1_000_000:
+        heads = heads[:: len(heads) * len(pieces) // 1_000_000 + 1]
+    best = 0
+    for least in heads:
+        load = 0
+        for head, hold, tail in pieces:
+            if head >= least:
+                load += hold
+                best = max(best, least - (-load // robots) + tail)
+    return best

@@ -1,0 +1,533 @@
+"""
+One run of serial schedule generation (Kelley 1963; Kolisch 1996), for robots that are held in roles and travel.
+
+Of all actions that may begin, the one that can begin earliest is put at the end of its robots' timelines; of equals the one with
+the longest way still to go; of those the first leaf. A lazy heap keeps the choice cheap: an entry's time can only be too early, and
+is put right when it comes up.
+"""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Literal
+
+from missiontree.estimation.travel import Blocked
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.grounded import Action
+from missiontree.mission.reason import Reason
+from missiontree.scheduling.bounds import Bounds
+from missiontree.scheduling.bundles import Bundles
+from missiontree.scheduling.impossible import TOLERANCE, missing
+from missiontree.scheduling.precedence import TaskGraph, indegrees
+from missiontree.scheduling.staffing import Staffing
+from missiontree.scheduling.ticks import ticks
+from missiontree.scheduling.trips import Spot, Trip, Trips
+from missiontree.scheduling.world_state import RobotState, WorldState
+
+Crew = Literal["joint", "bundle", "none"]
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """
+    One alternative, read once for all runs.
+
+    Parameters
+    ----------
+    graph, staffing, bounds, fleet, trips
+        What must be done, by whom, how long at least, and the ways.
+    bundles, crews
+        Roles that must be under way together, and roles that work jointly.
+    needs
+        What each group of roles uses of each budget at least.
+    """
+
+    graph: TaskGraph
+    staffing: Staffing
+    bounds: Bounds
+    fleet: Fleet
+    trips: Trips
+    bundles: Bundles
+    crews: Mapping[int, int]
+    needs: Mapping[int, Mapping[str, float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """
+    How one run decides.
+
+    Parameters
+    ----------
+    crew
+        Robots taken at once when a role begins: for the roles it works with ``joint``-ly, for its whole ``bundle`` (which then
+        waits until all that it needs from outside is settled), or ``none`` but its own.
+    urgency
+        Quarters of the remaining path taken off the start when actions are compared. 0 (default): the earliest start goes first.
+    jitter
+        Added to the remaining path, by activity.
+    binding
+        Robot of each group of roles, if it is fixed beforehand.
+    """
+
+    crew: Crew = "joint"
+    urgency: int = 0
+    jitter: Mapping[int, int] = field(default_factory=dict)
+    binding: Mapping[int, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """An action put into the schedule (ticks), and the trip that it was or needed, with the trip's times."""
+
+    leaf: int
+    robot: str
+    start: int
+    end: int
+    trip: Trip | None = None
+    leaves_at: int = 0
+    arrives_at: int = 0
+
+
+@dataclass(slots=True)
+class Draft:
+    """What a run came to: all actions, or why it got stuck."""
+
+    done: list[Done]
+    robot_of: dict[int, str]
+    makespan: int
+    metres: float
+    reasons: tuple[Reason, ...] = ()
+
+    @property
+    def value(self) -> tuple[int, float, int]:
+        """What is minimised: makespan, then travel, then the sum of ends."""
+        return self.makespan, round(self.metres, 6), sum(done.end for done in self.done)
+
+
+class _StuckError(Exception):
+    """This run cannot go on."""
+
+    def __init__(self, reason: Reason) -> None:
+        super().__init__(reason.message)
+        self.reason = reason
+
+
+@dataclass(slots=True)
+class _Offer:
+    start: int
+    robots: dict[int, RobotState]  # by role, of the activity
+    mates: dict[int, RobotState]  # by role, taken at once for later
+
+
+class Run:
+    """
+    One run over one problem.
+
+    Parameters
+    ----------
+    problem
+        The alternative.
+    rule
+        How to decide.
+    """
+
+    def __init__(self, problem: Problem, rule: Rule) -> None:
+        self._p, self._rule, self._graph = problem, rule, problem.graph
+        self._world = WorldState(problem.fleet, problem.trips)
+        self._by_type: dict[str, list[RobotState]] = {}
+        for robot in self._world.robots.values():
+            self._by_type.setdefault(robot.type_id, []).append(robot)
+        self._totals = {kind.id: dict(kind.total_limits) for kind in problem.fleet.types}
+        self._time = [0] * len(self._graph.successors)
+        self._missing = indegrees(self._graph.successors)
+        self._next = dict.fromkeys(self._graph.roles, 0)
+        self._robot_of_group: dict[int, RobotState] = {}
+        self._heap: list[tuple[int, int, int, int]] = []
+        self._keys: dict[int, int | None] = {}  # of activities that may begin; None: waiting for a robot
+        self._waiting: dict[str, dict[int, None]] = {}  # by robot type: activities that may begin and take a robot
+        self._bundle_missing = indegrees(problem.bundles.after)
+        self._bundle_left = list(problem.bundles.leaves)
+        self._gated: dict[int, list[int]] = {}
+        self._crew_of = problem.bundles.of_role if rule.crew == "bundle" else problem.crews
+        self._crews: dict[int, list[int]] = {}
+        for role, crew in sorted(self._crew_of.items()):
+            self._crews.setdefault(crew, []).append(role)
+        self._ends: dict[int, tuple[int, list[tuple[int, RobotState]]]] = {}
+        self._done: dict[int, Done] = {}
+        self._metres = 0.0
+
+    def __call__(self, ended: Callable[[], bool]) -> Draft | None:
+        """Run to the end; None if told to stop before."""
+        try:
+            self._open_bundles([bundle for bundle, count in enumerate(self._bundle_missing) if not count])
+            self._settle([event for event, count in enumerate(self._missing) if not count])
+            commits = 0
+            while self._heap:
+                key, _, _, activity = heapq.heappop(self._heap)
+                if self._keys.get(activity) != key:
+                    continue
+                offer = self._offer(activity)
+                if offer is None:
+                    self._keys[activity] = None
+                elif (true_key := self._key(activity, offer.start)) > key:
+                    self._push(activity, offer.start)
+                    assert true_key > key
+                else:
+                    self._commit(activity, offer)
+                    commits += 1
+                    if commits % 256 == 0 and ended():
+                        return None
+            if len(self._done) < len(self._graph.activity_of):
+                raise _StuckError(self._deadlock())
+        except _StuckError as stuck:
+            return self._draft((stuck.reason,))
+        return self._draft(())
+
+    def _draft(self, reasons: tuple[Reason, ...]) -> Draft:
+        done = sorted(self._done.values(), key=lambda one: (one.start, one.leaf))
+        robot_of = {
+            role: self._robot_of_group[group].id
+            for role, group in sorted(self._p.staffing.group_of.items())
+            if group in self._robot_of_group
+        }
+        return Draft(done, robot_of, max((one.end for one in done), default=0), self._metres, reasons)
+
+    # --- what may begin ---------------------------------------------------------------------------------------------
+
+    def _settle(self, events: Sequence[int]) -> None:
+        """Events whose time is known by now: pass it on, and begin or end what waited for it."""
+        stack = list(events)[::-1]
+        activities = 2 * len(self._graph.activities)
+        while stack:
+            event = stack.pop()
+            if event < activities and event % 2 == 0 and event // 2 not in self._ends:
+                self._may_begin(event // 2)
+                continue
+            if event < activities and event % 2 == 1:
+                self._finish(event // 2)
+            for after in self._graph.successors[event]:
+                self._time[after] = max(self._time[after], self._time[event])
+                self._missing[after] -= 1
+                if not self._missing[after]:
+                    stack.append(after)
+
+    def _may_begin(self, activity: int) -> None:
+        crew = self._crew_of[self._role(activity)]
+        if self._rule.crew == "bundle" and self._bundle_missing[crew]:
+            self._gated.setdefault(crew, []).append(activity)
+            return
+        for leaf in self._graph.activities[activity]:
+            role = self._graph.tree.action(leaf).role
+            if not self._next[role]:
+                for mate in self._crews[crew]:
+                    self._waiting.setdefault(self._p.staffing.type_of[mate], {})[activity] = None
+        self._push(activity, self._time[2 * activity])
+
+    def _open_bundles(self, bundles: list[int]) -> None:
+        stack = list(bundles)
+        while stack:
+            bundle = stack.pop()
+            for activity in self._gated.pop(bundle, ()):
+                self._may_begin(activity)
+            if not self._bundle_left[bundle]:
+                for after in self._p.bundles.after[bundle]:
+                    self._bundle_missing[after] -= 1
+                    if not self._bundle_missing[after]:
+                        stack.append(after)
+
+    def _role(self, activity: int) -> int:
+        return self._graph.tree.action(self._graph.activities[activity][0]).role
+
+    def _key(self, activity: int, start: int) -> int:
+        return 4 * start - self._rule.urgency * self._p.bounds.tails[2 * activity] if self._rule.urgency else 4 * start
+
+    def _push(self, activity: int, start: int) -> None:
+        key = self._key(activity, start)
+        self._keys[activity] = key
+        tail = self._p.bounds.tails[2 * activity] + self._rule.jitter.get(activity, 0)
+        heapq.heappush(self._heap, (key, -tail, self._graph.activities[activity][0], activity))
+
+    def _wake(self, type_id: str, time: int) -> None:
+        """A robot of the type is free again: what waits for one may begin sooner than thought."""
+        for activity in list(self._waiting.get(type_id, ())):
+            start = max(time, self._time[2 * activity])
+            key = self._keys[activity]
+            if key is None or key > self._key(activity, start):
+                self._push(activity, start)
+
+    # --- who could do it, and when ----------------------------------------------------------------------------------
+
+    def _offer(self, activity: int) -> _Offer | None:
+        """The earliest start with robots that are free; None if some robot is held elsewhere."""
+        ready = self._time[2 * activity]
+        robots: dict[int, RobotState] = {}
+        opening: list[int] = []
+        for leaf in self._graph.activities[activity]:
+            role = self._graph.tree.action(leaf).role
+            if self._next[role]:
+                robots[role] = self._robot_of_group[self._p.staffing.group_of[role]]
+            else:
+                opening.append(role)
+        mates: list[int] = []
+        if opening and self._rule.crew != "none":
+            crew = self._crew_of[opening[0]]
+            mates = [role for role in self._crews[crew] if role not in opening and not self._secured(role)]
+        chosen = self._choose(opening, mates, ready)
+        if chosen is None:
+            return None
+        robots |= {role: chosen[role] for role in opening}
+        start = ready
+        for leaf in self._graph.activities[activity]:
+            action = self._graph.tree.action(leaf)
+            arrival = self._arrival(robots[action.role], action, ready)
+            start = max(start, arrival, self._world.not_before(action))
+        return _Offer(start, robots, {role: chosen[role] for role in mates})
+
+    def _secured(self, role: int) -> bool:
+        """Whether a role has begun, or its robot is kept for it."""
+        robot = self._robot_of_group.get(self._p.staffing.group_of[role])
+        return self._next[role] > 0 or (robot is not None and robot.promised == self._crew_of[role])
+
+    def _trip(self, robot: RobotState, action: Action) -> Trip | Blocked | None:
+        """The way to an action; None if it can be done anywhere."""
+        if action.at is None and not action.moves:
+            return None
+        destination = self._world.spot(action)
+        if destination is None and not action.moves:
+            return None
+        return self._p.trips.trip(action, robot.spot, destination)
+
+    def _arrival(self, robot: RobotState, action: Action, ready: int) -> int:
+        """When the robot can begin the action."""
+        trip = self._trip(robot, action)
+        if isinstance(trip, Blocked):
+            raise _StuckError(trip.reason)
+        return max(ready, robot.free_at + (trip.ticks if trip is not None and not action.moves else 0))
+
+    def _choose(self, opening: Sequence[int], mates: Sequence[int], ready: int) -> dict[int, RobotState] | None:
+        """Different free robots for all groups of these roles, the best first; None if there are not enough."""
+        wanted: dict[int, int] = {}  # group -> its first role here
+        for role in (*opening, *mates):
+            wanted.setdefault(self._p.staffing.group_of[role], role)
+        ranked = {group: self._candidates(role, ready if role in opening else 0) for group, role in wanted.items()}
+        taken = _match(ranked)
+        if taken is None:
+            return None
+        return {role: taken[self._p.staffing.group_of[role]] for role in (*opening, *mates)}
+
+    def _candidates(self, role: int, ready: int) -> list[RobotState]:
+        """Free robots that may fill a role: the earliest to begin first, then the least idle, then the nearest."""
+        group = self._p.staffing.group_of[role]
+        bound = self._robot_of_group.get(group)
+        if bound is None and group in self._rule.binding:
+            bound = self._world.robots[self._rule.binding[group]]
+        pool = [bound] if bound is not None else self._by_type[self._p.staffing.type_of[role]]
+        action = self._graph.tree.action(self._graph.roles[role][0])
+        ranked: list[tuple[int, int, float, int, RobotState]] = []
+        fresh: set[object] = set()
+        crowded = self._crowded(role)
+        for robot in pool:
+            if robot.role is not None or robot.promised not in (None, self._crew_of[role]):
+                continue
+            if not robot.used and bound is None and robot.promised is None:
+                look = (robot.spot, tuple(sorted(robot.left.items())))
+                if look in fresh and not crowded:
+                    continue  # interchangeable with one that is listed already
+                fresh.add(look)
+            if group not in self._robot_of_group and self._p.staffing.avoids[group] & robot.wears:
+                continue
+            trip = self._trip(robot, action)
+            if isinstance(trip, Blocked) or (bound is None and not self._affords(robot, role, trip)):
+                continue
+            way = 0 if trip is None else trip.ticks
+            begin = max(ready, robot.free_at + way)
+            if action.moves:
+                begin = max(ready, robot.free_at) + way
+            ranked.append((begin, -robot.free_at, 0.0 if trip is None else trip.metres, robot.index, robot))
+        return [entry[-1] for entry in sorted(ranked, key=lambda entry: entry[:-1])]
+
+    def _crowded(self, role: int) -> bool:
+        """Whether several robots are chosen at once, so that one of each kind is not enough."""
+        first = self._graph.activity_of[self._graph.roles[role][0]]
+        together = 1 if self._rule.crew == "none" else len(self._crews[self._crew_of[role]])
+        return together > 1 or len(self._graph.activities[first]) > 1
+
+    def _affords(self, robot: RobotState, role: int, trip: Trip | None) -> bool:
+        """Whether the robot's budgets last for its group of roles, as far as can be foreseen."""
+        if not robot.left and not self._totals[robot.type_id]:
+            return True
+        needs = dict(self._p.needs[self._p.staffing.group_of[role]])
+        per_m = self._p.fleet.by_id[robot.type_id].uses_per_m
+        if per_m:
+            metres = max(self._metres_of(robot, role), 0.0 if trip is None else trip.metres)
+            uses = self._uses_of(role)
+            for name, amount in per_m.items():
+                needs[name] = max(needs.get(name, 0.0), uses.get(name, 0.0) + amount * metres)
+        return missing(needs, robot.left) is None and missing(needs, self._totals[robot.type_id]) is None
+
+    def _uses_of(self, role: int) -> dict[str, float]:
+        uses: dict[str, float] = {}
+        for leaf in self._graph.roles[role]:
+            for name, amount in self._graph.tree.action(leaf).uses.items():
+                uses[name] = uses.get(name, 0.0) + amount
+        return uses
+
+    def _metres_of(self, robot: RobotState, role: int) -> float:
+        """Metres of a whole role if everything that it does not move itself stays where it is."""
+        metres, here = 0.0, robot.spot
+        moved: dict[str, Spot] = {}
+        for leaf in self._graph.roles[role]:
+            action = self._graph.tree.action(leaf)
+            there = moved[action.at] if action.at in moved else self._world.spot(action)
+            if action.moves or there is not None:
+                trip = self._p.trips.trip(action, here, there)
+                metres += 0.0 if isinstance(trip, Blocked) else trip.metres
+                here = there
+            moved |= dict.fromkeys(action.brings, there)
+        return metres
+
+    # --- doing it ---------------------------------------------------------------------------------------------------
+
+    def _commit(self, activity: int, offer: _Offer) -> None:
+        graph, start = self._graph, offer.start
+        actions = [(leaf, graph.tree.action(leaf)) for leaf in graph.activities[activity]]
+        trips = {leaf: self._trip(offer.robots[action.role], action) for leaf, action in actions}
+        length = 0
+        for leaf, action in actions:
+            trip = trips[leaf]
+            own = trip.ticks if action.moves and isinstance(trip, Trip) else ticks(action.duration_s)
+            length = max(length, 0 if activity in graph.until else own)
+        for role, robot in offer.mates.items():
+            self._bind(role, robot)
+            robot.promised = self._crew_of[role]
+        done: list[tuple[int, RobotState]] = []
+        for leaf, action in actions:
+            robot, trip = offer.robots[action.role], trips[leaf]
+            assert not isinstance(trip, Blocked)
+            if not self._next[action.role]:
+                self._bind(action.role, robot)
+                robot.role = action.role
+            self._next[action.role] += 1
+            self._charge(robot, action, trip)
+            departs = start if action.moves else robot.free_at
+            arrives = start + length if action.moves else departs + (trip.ticks if trip is not None else 0)
+            self._done[leaf] = Done(leaf, robot.id, start, start + length, trip, departs, arrives)
+            done.append((leaf, robot))
+        for _, action in actions:
+            self._world.do(offer.robots[action.role], action, start, start + length)
+            for mate in self._crews[self._crew_of[action.role]]:
+                self._waiting.get(self._p.staffing.type_of[mate], {}).pop(activity, None)
+        del self._keys[activity]
+        self._ends[activity] = (length, done)
+        self._time[2 * activity] = start
+        self._time[2 * activity + 1] = max(self._time[2 * activity + 1], start + length)
+        self._settle([2 * activity])
+
+    def _bind(self, role: int, robot: RobotState) -> None:
+        self._robot_of_group[self._p.staffing.group_of[role]] = robot
+        robot.wears |= self._p.staffing.wears[self._p.staffing.group_of[role]]
+        robot.used = True
+
+    def _charge(self, robot: RobotState, action: Action, trip: Trip | None) -> None:
+        kind = self._p.fleet.by_id[robot.type_id]
+        use = dict(action.uses)
+        if trip is not None:
+            self._metres += trip.metres
+            for name, amount in kind.uses_per_m.items():
+                use[name] = use.get(name, 0.0) + amount * trip.metres
+        for whose, left in ((robot.id, robot.left), (kind.id, self._totals[kind.id])):
+            for name, amount in use.items():
+                if name in left:
+                    left[name] -= amount
+                    if left[name] < -TOLERANCE:
+                        raise _StuckError(
+                            Reason(
+                                rule="budget_exceeded",
+                                message=f"{whose} runs out of {name} at {action.text!r}, {-left[name]:g} short.",
+                                node=action.text,
+                                robot=whose,
+                            )
+                        )
+
+    def _finish(self, activity: int) -> None:
+        """The end of an activity is known: its robots are there from then on, and free if the role is over."""
+        end = self._time[2 * activity + 1]
+        released: list[RobotState] = []
+        bundles: list[int] = []
+        for leaf, robot in self._ends[activity][1]:
+            role = self._graph.tree.action(leaf).role
+            done = self._done[leaf]
+            if done.end != end:
+                self._done[leaf] = Done(leaf, robot.id, done.start, end, done.trip, done.leaves_at, done.arrives_at)
+            robot.free_at = end
+            if self._next[role] == len(self._graph.roles[role]) and leaf == self._graph.roles[role][-1]:
+                if len(self._graph.roles[role]) > 1 or robot.promised is not None or activity in self._graph.until:
+                    released.append(robot)  # else nobody has met it held
+                self._release(role, robot)
+            bundle = self._p.bundles.of_role[role]
+            self._bundle_left[bundle] -= 1
+            if not self._bundle_left[bundle]:
+                bundles.append(bundle)
+        for robot in released:
+            self._wake(robot.type_id, end)
+        self._open_bundles(bundles)
+
+    def _release(self, role: int, robot: RobotState) -> None:
+        robot.role = None
+        if robot.promised is not None:
+            rest = (mate for mate in self._crews[robot.promised] if not self._next[mate])
+            if not any(self._robot_of_group.get(self._p.staffing.group_of[mate]) is robot for mate in rest):
+                robot.promised = None
+
+    # --- why not ----------------------------------------------------------------------------------------------------
+
+    def _deadlock(self) -> Reason:
+        held = [robot for robot in self._world.robots.values() if robot.role is not None]
+        roles = self._graph.tree.roles
+        waits = sorted(self._keys) or [
+            a for a in range(len(self._graph.activities)) if self._graph.activities[a][0] not in self._done
+        ]
+        what = self._graph.name(self._graph.activities[waits[0]][0])
+        who = ", ".join(f"{robot.id} in {roles[robot.role].label!r}" for robot in held[:4] if robot.role is not None)
+        return Reason(
+            rule="deadlock",
+            message=f"{what!r} finds no robot"
+            + (f" while {who} {'is' if len(held) == 1 else 'are'} held, waiting." if held else " that may do it."),
+            node=what,
+            robot=self._graph.tree.action(self._graph.activities[waits[0]][0]).robot_type,
+            hint="Another robot of that type, or another order, may resolve it.",
+        )
+
+
+def _match(ranked: Mapping[int, Sequence[RobotState]]) -> dict[int, RobotState] | None:
+    """Different robots for all groups (augmenting paths, breadth first), each as far up its list as it comes."""
+    group_of: dict[str, int] = {}
+    taken: dict[int, RobotState] = {}
+    for group in ranked:
+        came_from: dict[str, int] = {}
+        queue, end = [group], None
+        for here in queue:
+            for robot in ranked[here]:
+                if robot.id in came_from:
+                    continue
+                came_from[robot.id] = here
+                if robot.id not in group_of:
+                    end = robot
+                    break
+                queue.append(group_of[robot.id])
+            if end is not None:
+                break
+        if end is None:
+            return None
+        robot = end
+        while True:
+            owner = came_from[robot.id]
+            before = taken.get(owner)
+            taken[owner], group_of[robot.id] = robot, owner
+            if owner == group or before is None:
+                break
+            robot = before
+    return taken

@@ -1,0 +1,114 @@
+"""Where robots and entities are, and from when, as a schedule grows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from missiontree.estimation.travel import start_of
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.grounded import Action
+from missiontree.scheduling.trips import Spot, Trips
+
+
+@dataclass(slots=True)
+class RobotState:
+    """
+    One robot at the end of what it is scheduled for so far.
+
+    Parameters
+    ----------
+    id, type_id, index
+        Robot, its type, and its number in the fleet.
+    spot
+        Where it is; None if unknown.
+    free_at
+        When its last action ends, in ticks.
+    role
+        Role that holds it; None if none does.
+    promised
+        Bundle of roles that it is kept for; None if none.
+    used
+        Whether it has done anything.
+    wears
+        Marks of the roles it has filled, see :mod:`missiontree.scheduling.staffing`.
+    left
+        What is left of each budget.
+    """
+
+    id: str
+    type_id: str
+    index: int
+    spot: Spot
+    free_at: int = 0
+    role: int | None = None
+    promised: int | None = None
+    used: bool = False
+    wears: set[object] = field(default_factory=set)
+    left: dict[str, float] = field(default_factory=dict)
+
+
+@dataclass(slots=True)
+class EntityState:
+    """Where an entity is, since when, and until when somebody needs it there (ticks)."""
+
+    spot: Spot
+    since: int = 0
+    used_until: int = 0
+
+
+class WorldState:
+    """
+    The state of all robots and of the entities that the schedule has touched.
+
+    Parameters
+    ----------
+    fleet
+        Robots and where they start.
+    trips
+        The scene and its ways.
+    """
+
+    def __init__(self, fleet: Fleet, trips: Trips) -> None:
+        self._trips = trips
+        self._entities: dict[str, EntityState] = {}
+        self.robots: dict[str, RobotState] = {}
+        for kind in fleet.types:
+            for robot in kind.members:
+                self.robots[robot.id] = RobotState(
+                    robot.id,
+                    kind.id,
+                    len(self.robots),
+                    start_of(robot, trips.scene),
+                    left={**kind.limits, **robot.remaining},
+                )
+
+    def entity(self, name: str) -> EntityState:
+        """State of an entity or place."""
+        state = self._entities.get(name)
+        if state is None:
+            state = self._entities[name] = EntityState(self._trips.spot(name))
+        return state
+
+    def spot(self, action: Action) -> Spot:
+        """Where an action happens, or where a move goes; None if unknown or anywhere."""
+        return None if action.at is None else self.entity(action.at).spot
+
+    def not_before(self, action: Action) -> int:
+        """Ticks before which an action cannot start because of who moves, or still needs, the entities it touches."""
+        earliest = 0 if action.at is None else self.entity(action.at).since
+        for name in action.brings:
+            state = self.entity(name)
+            earliest = max(earliest, state.since, state.used_until)
+        return earliest
+
+    def do(self, robot: RobotState, action: Action, start: int, end: int) -> None:
+        """Let a robot do an action: it, and what it brings, are elsewhere afterwards."""
+        destination = self.spot(action)
+        if action.at is not None:
+            state = self.entity(action.at)
+            state.used_until = max(state.used_until, start if action.open_ended else end)
+        if action.moves or destination is not None:
+            robot.spot = destination
+        for name in action.brings:
+            brought = self.entity(name)
+            brought.spot, brought.since = destination, end
