@@ -1,0 +1,109 @@
+"""The plan as the checker reads it: everything derived here, from the inputs, without asking a solver."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import cached_property
+
+from missiontree.checking.fault import Fault
+from missiontree.checking.staffing import Staffing
+from missiontree.checking.timetable import Timetable
+from missiontree.checking.ways import Ways
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.grounded import GroundedTree, Grounding
+from missiontree.mission.plan import Plan
+from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.tree import MissionNode, MissionTree
+from missiontree.routines.ground import ground
+
+WORKING = ("optimal", "feasible")
+
+
+class Case:
+    """
+    One plan under examination.
+
+    Parameters
+    ----------
+    plan
+        Any plan, however damaged. What dangles is left out of the views below and reported by the rules on references.
+    """
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+
+    @property
+    def fleet(self) -> Fleet:
+        """The team."""
+        return self.plan.brief.fleet
+
+    @property
+    def mission_tree(self) -> MissionTree | None:
+        """The tree as authored."""
+        return self.plan.tree
+
+    @property
+    def tree(self) -> GroundedTree | None:
+        """The tree over the fleet."""
+        return self.plan.grounding.tree if self.plan.grounding is not None else None
+
+    @cached_property
+    def clash(self) -> str:
+        """Why the entities of the tree do not fit into the scene; empty if they do."""
+        try:
+            self.plan.brief.world.extended(self._introduced)
+        except ValueError as error:
+            return str(error)
+        return ""
+
+    @cached_property
+    def scene(self) -> Scene:
+        """The world with everything introduced; without the tree's entities if those do not fit."""
+        world = self.plan.brief.world
+        return world if self.clash else world.extended(self._introduced)
+
+    @property
+    def _introduced(self) -> tuple[Entity, ...]:
+        return self.plan.tree.entities if self.plan.tree is not None else ()
+
+    @cached_property
+    def regrounded(self) -> Grounding | str | None:
+        """The mission tree grounded anew; why it cannot be; None if the plan holds no mission tree and grounding to compare."""
+        if self.plan.tree is None or self.plan.grounding is None:
+            return None
+        try:
+            return ground(self.plan.tree, self.plan.brief)
+        except Exception as error:  # a damaged tree may break whatever grounding relies on
+            return str(error) or type(error).__name__
+
+    @cached_property
+    def routine_nodes(self) -> tuple[MissionNode, ...]:
+        """Leaves of the mission tree that name a routine."""
+        return tuple(node for node in self.plan.tree.nodes if node.routine) if self.plan.tree is not None else ()
+
+    @cached_property
+    def staffings(self) -> tuple[Staffing, ...]:
+        """Every alternative, with what is selected derived from its choices."""
+        if self.tree is None or self.plan.ranking is None:
+            return ()
+        return tuple(
+            Staffing(self.tree, self.mission_tree, alternative) for alternative in self.plan.ranking.alternatives
+        )
+
+    @cached_property
+    def timetables(self) -> tuple[Timetable, ...]:
+        """Every schedule that claims to work and belongs to an alternative."""
+        by_rank = {staffing.alternative.rank: staffing for staffing in reversed(self.staffings)}
+        return tuple(
+            Timetable(by_rank[schedule.rank], schedule)
+            for schedule in self.plan.schedules
+            if schedule.status in WORKING and schedule.rank in by_rank
+        )
+
+    @cached_property
+    def ways(self) -> Ways:
+        """The checker's own distances."""
+        return Ways(self.scene)
+
+
+Rule = Callable[[Case], Iterable[Fault]]

@@ -1,0 +1,145 @@
+"""The last word: every rule that a plan must keep, listed once."""
+
+from __future__ import annotations
+
+from missiontree.checking import (
+    abilities,
+    budgets,
+    claims,
+    durations,
+    grounding,
+    holding,
+    inputs,
+    makespan,
+    mission_tree,
+    order,
+    outcome,
+    ranking,
+    roles,
+    selection,
+    travel,
+    witness,
+)
+from missiontree.checking.case import Case, Rule
+from missiontree.checking.fault import Fault
+from missiontree.mission.plan import Plan
+from missiontree.mission.reason import Reason
+
+RULES: tuple[Rule, ...] = (
+    inputs.digest_mismatch,
+    inputs.digest_unknown,
+    mission_tree.tree_missing,
+    mission_tree.leaf_open,
+    mission_tree.routine_unknown,
+    mission_tree.argument_wrong,
+    mission_tree.entity_unknown,
+    mission_tree.entity_clash,
+    mission_tree.resource_unknown,
+    mission_tree.precedence_circular,
+    grounding.grounding_impossible,
+    grounding.grounding_differs,
+    grounding.grounding_notes_differ,
+    abilities.type_unknown,
+    abilities.capability_missing,
+    abilities.quality_differs,
+    abilities.routine_not_followed,
+    abilities.resource_excluded,
+    abilities.kind_refused,
+    abilities.need_unmet,
+    abilities.zone_forbidden,
+    abilities.action_differs,
+    selection.choice_dangling,
+    selection.choice_missing,
+    selection.choice_double,
+    selection.choice_unreached,
+    selection.choice_order,
+    roles.role_type_missing,
+    roles.role_type_extra,
+    roles.role_type_differs,
+    roles.role_order,
+    ranking.utility_wrong,
+    ranking.rank_wrong,
+    ranking.ranking_unsorted,
+    ranking.alternative_double,
+    witness.witness_incomplete,
+    witness.witness_broken,
+    witness.alternative_unstaffable,
+    claims.ranking_status_unfounded,
+    claims.rank_unproven,
+    claims.bound_below_utility,
+    claims.claim_refuted,
+    outcome.nothing_delivered,
+    outcome.delivered_unsaid,
+    outcome.reason_missing,
+    outcome.reason_uncalled,
+    outcome.schedule_astray,
+    outcome.schedule_not_empty,
+    selection.action_missing,
+    selection.action_extra,
+    selection.action_double,
+    roles.assignment_missing,
+    roles.assignment_extra,
+    roles.robot_unknown,
+    roles.robot_type_wrong,
+    roles.action_robot_differs,
+    roles.team_shares_robot,
+    roles.same_robot_broken,
+    roles.different_robot_broken,
+    durations.time_off_grid,
+    durations.duration_wrong,
+    durations.joint_broken,
+    durations.schedule_unsorted,
+    order.role_out_of_order,
+    order.precedence_broken,
+    order.until_broken,
+    holding.robot_overlap,
+    holding.holding_broken,
+    travel.leg_missing,
+    travel.leg_extra,
+    travel.leg_origin_wrong,
+    travel.leg_destination_wrong,
+    travel.leg_without_way,
+    travel.leg_understated,
+    travel.leg_too_fast,
+    travel.leg_at_wrong_time,
+    travel.leg_via_broken,
+    travel.move_too_short,
+    budgets.budget_exceeded,
+    budgets.total_budget_exceeded,
+    makespan.makespan_wrong,
+    makespan.bound_above_makespan,
+    makespan.optimality_unfounded,
+    makespan.schedule_certificate_unfounded,
+)
+"""Every rule, in the order of its findings. The name of the function is the code of the rule."""
+
+
+def check(plan: Plan) -> tuple[Reason, ...]:
+    """
+    Check a plan against its inputs.
+
+    The checker shares no code with allocators and schedulers, and works out selections, utilities, places and distances afresh.
+
+    Parameters
+    ----------
+    plan
+        Any plan, however damaged: what is wrong is answered, never raised.
+
+    Returns
+    -------
+    tuple of Reason
+        Findings, each naming rule, node and robot; empty if the plan is sound.
+    """
+    case = Case(plan)
+    return tuple(_reason(rule, fault) for rule in RULES for fault in rule(case))
+
+
+def _reason(rule: Rule, fault: Fault) -> Reason:
+    return Reason(
+        rule=rule.__name__,
+        message=fault.message[:1].upper() + fault.message[1:],
+        node=fault.node,
+        robot=fault.robot,
+        found=fault.found,
+        needed=fault.needed,
+    )

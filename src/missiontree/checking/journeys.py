@@ -1,0 +1,100 @@
+"""Where every robot must travel, told from where everybody and everything is at what time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from missiontree.checking.case import Case
+from missiontree.checking.timetable import Deed, Timetable
+from missiontree.mission.fleet import Robot
+from missiontree.mission.position import Position
+
+Spot = Position | None
+"""A point in frame ``map``; None where it is not known."""
+
+
+MOST_AT_ONCE = 50
+"""Moves that take no time at one moment, beyond which nobody can tell what is where."""
+
+
+class Journey(NamedTuple):
+    """
+    What a robot has to travel for one action that has a place.
+
+    ``goals`` holds more than one spot only where the entity is moved, in no time, at the very moment. ``free_from`` is when the
+    robot's action before ended, in ticks.
+    """
+
+    deed: Deed
+    origin: Spot
+    goals: tuple[Spot, ...]
+    free_from: int
+
+
+class Movements:
+    """Where entities are over time: at their start, then where the moves that bring them end."""
+
+    def __init__(self, case: Case, timetable: Timetable) -> None:
+        self._case = case
+        self._moves: dict[str, list[Deed]] = {}
+        self._spots: dict[tuple[str, int], tuple[Spot, ...]] = {}
+        for deed in sorted(timetable.deeds.values(), key=lambda deed: (deed.end, deed.start, deed.leaf)):
+            for entity in deed.action.brings if deed.action.moves else ():
+                self._moves.setdefault(entity, []).append(deed)
+        for deed in sorted(timetable.deeds.values(), key=lambda deed: (deed.start, deed.end, deed.leaf)):
+            if deed.action.moves and deed.action.at is not None:
+                self.spots(deed.action.at, deed)  # in order of time, so that no question goes deep
+
+    def spots(self, entity: str, deed: Deed) -> tuple[Spot, ...]:
+        """Where an entity may be when an action starts."""
+        return self._spots_at(entity, deed, set())
+
+    def _spots_at(self, entity: str, deed: Deed, visiting: set[tuple[str, int]]) -> tuple[Spot, ...]:
+        key = (entity, deed.leaf)
+        if key in self._spots:
+            return self._spots[key]
+        if (
+            key in visiting or len(visiting) > MOST_AT_ONCE
+        ):  # moves that wait for one another: nothing is known of the place
+            return (None,)
+        visiting.add(key)
+        found = self._initial(entity)
+        for move in self._moves.get(entity, ()):
+            if move.leaf == deed.leaf or move.end > deed.start:
+                continue
+            there = self._spots_at(move.action.at, move, visiting) if move.action.at is not None else (None,)
+            certain = move.start < deed.start or (move.action.role == deed.action.role and move.leaf < deed.leaf)
+            found = there if certain else tuple(dict.fromkeys(found + there))
+        self._spots[key] = found
+        return found
+
+    def _initial(self, entity: str) -> tuple[Spot, ...]:
+        value = self._case.scene.by_id.get(entity)
+        return (self._case.scene.whereabouts(value).position if value is not None else None,)
+
+
+def start_spot(case: Case, robot: Robot | None) -> Spot:
+    """Where the fleet says that a robot starts."""
+    if robot is None:
+        return None
+    if robot.position is not None:
+        return case.scene.in_map(robot.position)
+    if robot.place is not None and robot.place in case.scene.by_id:
+        return case.scene.whereabouts(case.scene.by_id[robot.place]).position
+    return None
+
+
+def journeys(case: Case, timetable: Timetable) -> Iterator[Journey]:
+    """What every robot of a schedule has to travel, robot by robot, in order of time."""
+    movements = Movements(case, timetable)
+    for robot, deeds in timetable.by_robot.items():
+        spot, free_from = start_spot(case, case.fleet.robots.get(robot)), 0
+        for deed in deeds:
+            if deed.action.at is not None:
+                goals = movements.spots(deed.action.at, deed)
+                yield Journey(deed, spot, goals, free_from)
+                leg = timetable.legs.get((robot, deed.leaf))
+                reached = next((goal for goal in goals if leg is not None and goal == leg.destination), goals[0])
+                spot = reached if deed.action.moves or reached is not None else spot
+            free_from = max(free_from, deed.end)
