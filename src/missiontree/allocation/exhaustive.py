@@ -1,0 +1,201 @@
+"""
+Every alternative there is, written plainly and slowly: the oracle that the other allocators are tested against.
+
+It shares the flat form with them and nothing else. Choice vectors are counted up like an odometer; each is judged by trying
+every assignment of its roles to robots and reading the rules off it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import islice, product
+from math import prod
+
+from missiontree.allocation.feasibility import Verdict
+from missiontree.allocation.flat import Flat, flatten
+from missiontree.allocation.selection import Selection
+from missiontree.allocation.writing import Writer, impossible, require_count
+from missiontree.mission.alternative import Ranking
+from missiontree.mission.certificate import Certificate
+from missiontree.mission.control import Control, Progress
+from missiontree.mission.estimate import MICRO, Weights
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.reason import Reason
+
+METHOD = "enumeration"
+
+
+@dataclass(frozen=True, slots=True)
+class Exhaustive:
+    """
+    Enumerates all alternatives.
+
+    Parameters
+    ----------
+    max_examined
+        Alternatives, feasible or not, beyond which it gives up. Default 200,000.
+    max_assignments
+        Assignments of roles to the robots of one type beyond which an alternative stays undecided. Default 200,000.
+    """
+
+    max_examined: int = 200_000
+    max_assignments: int = 200_000
+
+    def __call__(self, tree: GroundedTree, fleet: Fleet, weights: Weights, k: int, control: Control) -> Ranking:
+        """See :class:`missiontree.allocation.allocator.Allocator`."""
+        require_count(k)
+        flat = flatten(tree, fleet, weights)
+        judge, writer = _Judge(flat, self.max_assignments), Writer(flat)
+        kept: list[tuple[int, Selection, Verdict]] = []
+        examined, finished = 0, True
+        for selection in every_selection(flat):
+            if control.ended() or examined == self.max_examined:
+                finished = False
+                break
+            examined += selection is not None
+            if selection is None or (verdict := judge.judge(selection)).answer == "no":
+                continue
+            kept.append((sum(flat.utility[leaf] for leaf in selection.leaves), selection, verdict))
+        control.report(Progress("allocation", examined, len(kept)))
+        if finished and not kept:
+            reason = Reason(rule="none_feasible", message=f"All {examined} ways through the tree were tried in vain.")
+            return impossible(METHOD, "Every way through the tree was tried.", (reason,), examined)
+        kept.sort(key=lambda entry: -entry[0])  # stable: equal utilities stay in the order of their choices
+        decided = finished and all(verdict.answer == "yes" for _, _, verdict in kept)
+        alternatives = tuple(
+            writer.alternative(rank, utility, selection, verdict, _certificate(decided, utility))
+            for rank, (utility, selection, verdict) in enumerate(islice(kept, k), start=1)
+        )
+        return Ranking(
+            alternatives=alternatives,
+            status="exact" if decided else "partial" if alternatives else "unknown",
+            certificate=_of_the_rest(decided, alternatives[-1].utility if len(kept) >= k else None),
+            examined=examined,
+        )
+
+
+def _certificate(decided: bool, utility: int) -> Certificate:
+    return Certificate(
+        claim="proven" if decided else "unproven", method=METHOD, bound=utility / MICRO if decided else None
+    )
+
+
+def _of_the_rest(decided: bool, bound: float | None) -> Certificate:
+    return Certificate(claim="proven" if decided else "unproven", method=METHOD, bound=bound if decided else None)
+
+
+def every_selection(flat: Flat) -> Iterator[Selection | None]:
+    """Every way through the tree, by choice indices in preorder; None for each that runs into an XOR without children."""
+    odometer: list[tuple[int, int]] = []  # position taken and number of children, per reached XOR
+    while True:
+        selection, odometer = _walk(flat, [position for position, _ in odometer])
+        yield selection
+        while odometer and odometer[-1][0] + 1 == odometer[-1][1]:
+            odometer.pop()
+        if not odometer:
+            return
+        position, width = odometer.pop()
+        odometer.append((position + 1, width))
+
+
+def _walk(flat: Flat, positions: list[int]) -> tuple[Selection | None, list[tuple[int, int]]]:
+    """Follow the positions, then first children, until all is selected or an XOR has no child."""
+    met: list[tuple[int, int]] = []
+    choices, nodes, leaves, stack = [], [], [], [0]
+    while stack:
+        node = stack.pop()
+        below = flat.children[node]
+        nodes.append(node)
+        if flat.kind[node] == "action":
+            leaves.append(node)
+        if flat.kind[node] != "xor":
+            stack += reversed(below)
+            continue
+        if not below:
+            return None, met
+        position = positions[len(met)] if len(met) < len(positions) else 0
+        met.append((position, len(below)))
+        choices.append((node, below[position]))
+        stack.append(below[position])
+    return Selection(tuple(choices), tuple(nodes), tuple(leaves)), met
+
+
+class _Judge:
+    """Tries every assignment of roles to robots."""
+
+    def __init__(self, flat: Flat, max_assignments: int) -> None:
+        self.flat = flat
+        self.max_assignments = max_assignments
+
+    def judge(self, selection: Selection) -> Verdict:
+        """Whether some assignment keeps all rules."""
+        flat = self.flat
+        types: dict[int, str] = {}
+        for leaf in selection.leaves:
+            if types.setdefault(flat.role[leaf], flat.robot_type[leaf]) != flat.robot_type[leaf]:
+                return Verdict("no")
+        same = [self._roles_under(link, selection) for link in flat.same_robot if set(link) <= set(selection.nodes)]
+        apart = [
+            self._roles_under(link, selection) for link in flat.different_robot if set(link) <= set(selection.nodes)
+        ]
+        if any(len({types[role] for role in first | second}) > 1 for first, second in same):
+            return Verdict("no")
+        witness: dict[int, str] = {}
+        for type_id in sorted(set(types.values())):
+            roles = sorted(role for role in types if types[role] == type_id)
+            robots = range(len(flat.stocks[type_id].robots))
+            found = None
+            for tried in islice(product(robots, repeat=len(roles)), self.max_assignments):
+                if self._keeps(type_id, dict(zip(roles, tried, strict=True)), selection, same, apart):
+                    found = tried
+                    break
+            if found is None:
+                too_many = prod([len(robots)] * len(roles)) > self.max_assignments
+                return Verdict("undecided" if too_many else "no")
+            witness.update((role, flat.stocks[type_id].robots[at]) for role, at in zip(roles, found, strict=True))
+        return Verdict("yes", tuple(sorted(witness.items())))
+
+    def _roles_under(self, link: tuple[int, int], selection: Selection) -> tuple[set[int], set[int]]:
+        first, second = ({self.flat.role[leaf] for leaf in selection.leaves if self._above(end, leaf)} for end in link)
+        return first, second
+
+    def _above(self, end: int, node: int) -> bool:
+        while node > end:  # parents come before children
+            node = self.flat.parent[node]
+        return node == end
+
+    def _keeps(
+        self,
+        type_id: str,
+        robot_of: Mapping[int, int],
+        selection: Selection,
+        same: list[tuple[set[int], set[int]]],
+        apart: list[tuple[set[int], set[int]]],
+    ) -> bool:
+        """Read the rules off an assignment of one type's roles."""
+        flat, stock = self.flat, self.flat.stocks[type_id]
+        for first, second in same:
+            if len({robot_of[role] for role in first | second if role in robot_of}) > 1:
+                return False
+        for first, second in apart:
+            left = {robot_of[role] for role in first if role in robot_of}
+            if left & {robot_of[role] for role in second if role in robot_of}:
+                return False
+        for role in robot_of:
+            for mate in robot_of:
+                if role != mate and flat.team[role] is not None and flat.team[role] == flat.team[mate]:  # noqa: SIM102
+                    if robot_of[role] == robot_of[mate]:
+                        return False
+        spent: dict[tuple[int, str], int] = {}
+        together: dict[str, int] = {}
+        for leaf in selection.leaves:
+            if flat.role[leaf] in robot_of:
+                for name, used in flat.uses[leaf].items():
+                    robot = robot_of[flat.role[leaf]]
+                    spent[robot, name] = spent.get((robot, name), 0) + used
+                    together[name] = together.get(name, 0) + used
+        if any(used > stock.totals.get(name, used) for name, used in together.items()):
+            return False
+        return all(used <= stock.budgets[robot].get(name, used) for (robot, name), used in spent.items())

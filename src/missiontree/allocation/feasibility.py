@@ -1,0 +1,217 @@
+"""
+Does this choice of robots stay inside their limits?
+
+Totals per type add up over all robots of the type. A limit per robot holds if *some* assignment of the roles to the type's
+robots keeps every robot within it; roles of one team, and the two sides of a different-robot link, are filled by different
+robots, and everything under the two ends of a same-robot link by one. Robots are not used up: one robot may fill any number
+of roles, one after the other. Types never share a robot, so each type is decided by itself, see :mod:`packing`.
+
+The answer has three values. Packing is hard in the worst case, and beyond a number of steps it is given up as *undecided*,
+which is neither a proof of feasibility nor of the opposite.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal
+
+from missiontree.allocation.flat import AMOUNT_SCALE, Flat
+from missiontree.allocation.packing import Load, pack
+from missiontree.allocation.selection import Selection
+from missiontree.mission.reason import Reason
+
+DEFAULT_STEPS = 20_000
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """
+    What is known of one selection.
+
+    Parameters
+    ----------
+    answer
+        ``yes``, ``no`` or ``undecided``.
+    witness
+        Robot by role that keeps every rule, if the answer is yes.
+    reason
+        Why not, if the answer is no.
+    """
+
+    answer: Literal["yes", "no", "undecided"]
+    witness: tuple[tuple[int, str], ...] = ()
+    reason: Reason | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Refused(Exception):
+    reason: Reason
+
+
+class Feasibility:
+    """
+    Decides selections of one problem.
+
+    Parameters
+    ----------
+    flat
+        The problem.
+    steps
+        Steps of packing per type and selection before it is given up as undecided.
+    """
+
+    def __init__(self, flat: Flat, steps: int = DEFAULT_STEPS) -> None:
+        self.flat = flat
+        self.steps = steps
+
+    def decide(self, selection: Selection) -> Verdict:
+        """Whether some assignment of the selected roles to robots keeps all rules."""
+        try:
+            return self._decide(selection)
+        except _Refused as refused:
+            return Verdict("no", reason=refused.reason)
+
+    def _decide(self, selection: Selection) -> Verdict:
+        types = self._types(selection)
+        uses = self._uses(selection)
+        self._check_totals(types, uses)
+        linked = self._bound_links(selection)
+        group_of = _merged(types, linked["same_robot"])
+        self._check_groups(types, group_of)
+        apart = self._apart(types, group_of, linked["different_robot"])
+        robot_of: dict[int, str] = {}
+        undecided = False
+        for type_id in sorted(set(types.values())):
+            groups = sorted({group_of[role] for role, kind in types.items() if kind == type_id})
+            loads = _loads(groups, group_of, types, uses, apart)
+            packed = pack(self.flat.stocks[type_id], loads, self.steps)
+            if packed.answer == "no":
+                raise _Refused(_cannot_pack(type_id, packed.name, len(groups)))
+            undecided |= packed.answer == "undecided"
+            robot_of.update({group: self.flat.stocks[type_id].robots[robot] for group, robot in packed.robots.items()})
+        if undecided:
+            return Verdict("undecided")
+        return Verdict("yes", tuple((role, robot_of[group_of[role]]) for role in sorted(types)))
+
+    def _types(self, selection: Selection) -> dict[int, str]:
+        types: dict[int, str] = {}
+        for leaf in selection.leaves:
+            role, kind = self.flat.role[leaf], self.flat.robot_type[leaf]
+            if types.setdefault(role, kind) != kind:
+                message = f"A role's actions name two robot types, {types[role]} and {kind}; one robot fills a role."
+                raise _Refused(Reason(rule="role_torn", message=message))
+        return types
+
+    def _uses(self, selection: Selection) -> dict[int, Counter[str]]:
+        uses: dict[int, Counter[str]] = {}
+        for leaf in selection.leaves:
+            if self.flat.uses[leaf]:
+                uses.setdefault(self.flat.role[leaf], Counter()).update(self.flat.uses[leaf])
+        return uses
+
+    def _check_totals(self, types: dict[int, str], uses: dict[int, Counter[str]]) -> None:
+        spent: dict[str, Counter[str]] = {}
+        for role, used in uses.items():
+            spent.setdefault(types[role], Counter()).update(used)
+        for type_id, used in spent.items():
+            for name, needed in sorted(used.items()):
+                there = self.flat.stocks[type_id].pooled(name)
+                if there is not None and needed > there:
+                    raise _Refused(_over_budget(type_id, name, needed, there))
+
+    def _bound_links(self, selection: Selection) -> dict[str, list[tuple[list[int], list[int]]]]:
+        """The roles on both sides of every link whose two nodes are selected."""
+        bound: dict[str, list[tuple[list[int], list[int]]]] = {"same_robot": [], "different_robot": []}
+        if not self.flat.links:
+            return bound
+        nodes = set(selection.nodes)
+        sides: dict[int, list[int]] = {}
+        for kind, links in (("same_robot", self.flat.same_robot), ("different_robot", self.flat.different_robot)):
+            for link in links:
+                if link[0] in nodes and link[1] in nodes:
+                    for end in link:
+                        if end not in sides:
+                            under = self.flat.leaves_under[end]
+                            sides[end] = sorted({self.flat.role[leaf] for leaf in selection.leaves if leaf in under})
+                    bound[kind].append((sides[link[0]], sides[link[1]]))
+        return bound
+
+    def _check_groups(self, types: dict[int, str], group_of: dict[int, int]) -> None:
+        for role, group in group_of.items():
+            if types[role] != types[group]:
+                message = f"One robot should fill roles of the types {types[group]} and {types[role]}."
+                raise _Refused(Reason(rule="same_robot_broken", message=message, robot=types[group]))
+
+    def _apart(
+        self, types: dict[int, str], group_of: dict[int, int], different: Iterable[tuple[list[int], list[int]]]
+    ) -> dict[int, set[int]]:
+        """Which groups of one type must be filled by different robots."""
+        pairs = [(a, b) for first, second in different for a in first for b in second]
+        teams: dict[int, list[int]] = {}
+        for role in types:
+            team = self.flat.team[role]
+            if team is not None:
+                pairs += [(mate, role) for mate in teams.setdefault(team, [])]
+                teams[team].append(role)
+        apart: dict[int, set[int]] = {}
+        for a, b in pairs:
+            one, other = group_of[a], group_of[b]
+            if one == other:
+                message = f"A robot of type {types[a]} should fill two roles that need different robots."
+                raise _Refused(Reason(rule="different_robot_broken", message=message, robot=types[a]))
+            if types[a] == types[b]:
+                apart.setdefault(one, set()).add(other)
+                apart.setdefault(other, set()).add(one)
+        return apart
+
+
+def _merged(types: dict[int, str], same: Iterable[tuple[list[int], list[int]]]) -> dict[int, int]:
+    """Smallest role of the group each role belongs to; roles of a group are filled by one robot."""
+    leader = {role: role for role in types}
+
+    def find(role: int) -> int:
+        while leader[role] != role:
+            leader[role] = leader[leader[role]]
+            role = leader[role]
+        return role
+
+    for first, second in same:
+        roles = first + second
+        for role in roles[1:]:
+            one, other = sorted((find(roles[0]), find(role)))
+            leader[other] = one
+    return {role: find(role) for role in types}
+
+
+def _loads(
+    groups: list[int],
+    group_of: dict[int, int],
+    types: dict[int, str],
+    uses: dict[int, Counter[str]],
+    apart: dict[int, set[int]],
+) -> list[Load]:
+    spent = {group: Counter[str]() for group in groups}
+    for role, used in uses.items():
+        if group_of[role] in spent:
+            spent[group_of[role]].update(used)
+    return [Load(group, spent[group], frozenset(apart.get(group, ()))) for group in groups]
+
+
+def _over_budget(type_id: str, name: str, needed: int, there: int) -> Reason:
+    return Reason(
+        rule="budget_exceeded",
+        message=f"Type {type_id} would use {needed / AMOUNT_SCALE:g} of {name}; together it may use {there / AMOUNT_SCALE:g}.",
+        robot=type_id,
+        found=f"{name} {there / AMOUNT_SCALE:g}",
+        needed=f"{name} {needed / AMOUNT_SCALE:g}",
+    )
+
+
+def _cannot_pack(type_id: str, name: str, groups: int) -> Reason:
+    if not name:
+        message = f"More robots of type {type_id} are needed at once, or kept apart, than there are."
+        return Reason(rule="too_few_robots", message=message, robot=type_id)
+    message = f"No way of dealing {groups} roles out to the robots of type {type_id} keeps each within its {name}."
+    return Reason(rule="budget_exceeded", message=message, robot=type_id, needed=name)

@@ -1,0 +1,189 @@
+"""
+One flat form of the problem for all allocators: columns over nodes, integers for everything that is added up.
+
+Utilities are integer millionths, amounts of budgets integer billionths (:data:`AMOUNT_SCALE`). Both are rounded once, at each
+leaf, so that every sum is exact and no rank or refusal hangs on the order of additions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+from missiontree.errors import InputError
+from missiontree.mission.estimate import Estimate, Weights
+from missiontree.mission.fleet import Fleet, RobotType
+from missiontree.mission.grounded import GroundedTree, NodeKind
+
+AMOUNT_SCALE = 10**9
+
+
+@dataclass(frozen=True, slots=True)
+class Stock:
+    """
+    What the robots of one type may use; names without a limit do not appear.
+
+    Parameters
+    ----------
+    robots
+        Names of the robots, in fleet order.
+    budgets
+        Per robot, what it may use of each budget, in billionths.
+    totals
+        What all of them together may use, in billionths.
+    """
+
+    robots: tuple[str, ...]
+    budgets: tuple[Mapping[str, int], ...]
+    totals: Mapping[str, int]
+
+    def pooled(self, name: str) -> int | None:
+        """No selection uses more of a budget than this, whoever does what; None if nothing limits it."""
+        bounds = [self.totals[name]] if name in self.totals else []
+        if all(name in budget for budget in self.budgets):
+            bounds.append(sum(budget[name] for budget in self.budgets))
+        return min(bounds, default=None)
+
+    def largest(self, name: str) -> int | None:
+        """No single robot uses more of a budget than this; None if nothing limits it."""
+        bounds = [self.totals[name]] if name in self.totals else []
+        if all(name in budget for budget in self.budgets):
+            bounds.append(max(budget[name] for budget in self.budgets))
+        return min(bounds, default=None)
+
+
+@dataclass(frozen=True)
+class Flat:
+    """
+    A grounded tree over a fleet, as columns indexed by node.
+
+    Parameters
+    ----------
+    kind, parent, children
+        As in the grounded tree: parents before children, siblings in order.
+    utility
+        Of each leaf, in millionths; 0 elsewhere.
+    role, robot_type
+        Of each leaf; -1 and "" elsewhere.
+    uses
+        What each leaf uses at least of the budgets that its type limits, in billionths.
+    team
+        Team number per role.
+    same_robot, different_robot
+        Links, as pairs of nodes.
+    stocks
+        What the robots of each type in the tree may use.
+    """
+
+    kind: tuple[NodeKind, ...]
+    parent: tuple[int, ...]
+    children: tuple[tuple[int, ...], ...]
+    utility: tuple[int, ...]
+    role: tuple[int, ...]
+    robot_type: tuple[str, ...]
+    uses: tuple[Mapping[str, int], ...]
+    team: tuple[int | None, ...]
+    same_robot: tuple[tuple[int, int], ...]
+    different_robot: tuple[tuple[int, int], ...]
+    stocks: Mapping[str, Stock]
+
+    @property
+    def links(self) -> tuple[tuple[int, int], ...]:
+        """All links that allocation keeps; links about time are the scheduler's."""
+        return self.same_robot + self.different_robot
+
+    @cached_property
+    def leaves_under(self) -> dict[int, frozenset[int]]:
+        """Leaves below each end of a link."""
+        return {end: frozenset(self._leaves(end)) for link in self.links for end in link}
+
+    def _leaves(self, top: int) -> Iterable[int]:
+        stack = [top]
+        while stack:
+            node = stack.pop()
+            if self.kind[node] == "action":
+                yield node
+            stack.extend(self.children[node])
+
+
+def amount(value: float) -> int:
+    """A budget or a use in billionths, rounded half to even."""
+    return round(Fraction(value) * AMOUNT_SCALE)
+
+
+def flatten(tree: GroundedTree, fleet: Fleet, weights: Weights) -> Flat:
+    """
+    Put a grounded tree, a fleet and weights into the form that allocators work on.
+
+    Raises
+    ------
+    InputError
+        If an action names a robot type that the fleet does not have.
+    """
+    stocks = _stocks(tree, fleet)
+    limited = {name: frozenset(stock.totals).union(*stock.budgets) for name, stock in stocks.items()}
+    utilities: dict[Estimate, int] = {}
+    utility, role, robot_type, uses = [], [], [], []
+    for node in tree.nodes:
+        action = node.action
+        if action is None:
+            micro, role_index, type_id, used = 0, -1, "", _NOTHING
+        else:
+            if action.estimate not in utilities:
+                utilities[action.estimate] = weights.utility_micro(action.estimate)
+            micro, role_index, type_id = utilities[action.estimate], action.role, action.robot_type
+            used = _limited_uses(action.uses_at_least, limited[type_id])
+        utility.append(micro)
+        role.append(role_index)
+        robot_type.append(type_id)
+        uses.append(used)
+    return Flat(
+        kind=tuple(node.kind for node in tree.nodes),
+        parent=tuple(node.parent for node in tree.nodes),
+        children=tree.children,
+        utility=tuple(utility),
+        role=tuple(role),
+        robot_type=tuple(robot_type),
+        uses=tuple(uses),
+        team=tuple(role.team for role in tree.roles),
+        same_robot=tuple((link.first, link.second) for link in tree.links if link.kind == "same_robot"),
+        different_robot=tuple((link.first, link.second) for link in tree.links if link.kind == "different_robot"),
+        stocks=stocks,
+    )
+
+
+_NOTHING: Mapping[str, int] = {}
+
+
+def _limited_uses(uses: Mapping[str, float], limited: frozenset[str]) -> Mapping[str, int]:
+    if not uses or not limited:
+        return _NOTHING
+    exact = {name: amount(used) for name, used in sorted(uses.items()) if name in limited}
+    return {name: used for name, used in exact.items() if used}
+
+
+def _stocks(tree: GroundedTree, fleet: Fleet) -> dict[str, Stock]:
+    named = dict.fromkeys(node.action.robot_type for node in tree.nodes if node.action is not None)
+    used: dict[str, set[str]] = {name: set() for name in named}
+    for node in tree.nodes:
+        if node.action is not None:
+            used[node.action.robot_type].update(node.action.uses_at_least)
+    for name in named:
+        if name not in fleet.by_id:
+            raise InputError(
+                f"the tree has actions of robot type {name!r}, which the fleet does not have",
+                accepted=", ".join(fleet.by_id),
+            )
+    return {name: _stock(fleet.by_id[name], sorted(used[name])) for name in named}
+
+
+def _stock(robot_type: RobotType, names: list[str]) -> Stock:
+    members = robot_type.members
+    budgets = []
+    for robot in members:
+        found = {name: robot_type.budget(robot, name) for name in names}
+        budgets.append({name: amount(limit) for name, limit in found.items() if limit is not None})
+    totals = {name: amount(robot_type.total_limits[name]) for name in names if name in robot_type.total_limits}
+    return Stock(tuple(robot.id for robot in members), tuple(budgets), totals)

@@ -1,0 +1,166 @@
+"""
+Which nodes can be done at all, by one sweep from the leaves up.
+
+An XOR needs a possible child, an AND needs all of them. On top of that, what a node uses *at least*, whatever is chosen below
+it, must not exceed what there is: a sum at an AND, a minimum over the possible children at an XOR. The least use is kept per
+type, per role (which one robot fills) and over all types that are limited; it never refuses a node that some feasible
+alternative selects.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from missiontree.allocation.flat import AMOUNT_SCALE, Flat
+from missiontree.mission.reason import Reason, Severity
+
+Purse = tuple[str, int, str]  # robot type ("" for all of them), role (-1 for all of them), name of the budget
+
+
+@dataclass(frozen=True, slots=True)
+class Excess:
+    """A node that uses more than there is, whatever is chosen below it."""
+
+    node: int
+    purse: Purse
+    needed: int
+    found: int
+
+
+@dataclass(frozen=True, slots=True)
+class Possibility:
+    """
+    What the sweep found.
+
+    Parameters
+    ----------
+    possible
+        Per node, whether some alternative could select it.
+    excesses
+        Nodes refused because of budgets, children before parents.
+    """
+
+    possible: Sequence[bool]
+    excesses: list[Excess] = field(default_factory=list)
+
+
+def structurally_possible(flat: Flat) -> list[bool]:
+    """Which nodes can be done if budgets, teams and links are left aside."""
+    possible = [True] * len(flat.kind)
+    for node in range(len(flat.kind) - 1, -1, -1):
+        if flat.kind[node] == "xor":
+            possible[node] = any(possible[child] for child in flat.children[node])
+        elif flat.kind[node] == "and":
+            possible[node] = all(possible[child] for child in flat.children[node])
+    return possible
+
+
+def possible_nodes(flat: Flat) -> Possibility:
+    """Which nodes can be done with what the robots may use."""
+    possible = structurally_possible(flat)
+    if not any(flat.uses):
+        return Possibility(possible)
+    found = Possibility(possible)
+    limits = _Limits(flat)
+    least: dict[int, dict[Purse, int]] = {}
+    for node in range(len(flat.kind) - 1, -1, -1):
+        below = [least.pop(child, {}) for child in flat.children[node] if possible[child]]
+        if flat.kind[node] == "action":
+            use, touched = limits.charge(node), None
+        elif flat.kind[node] == "and":
+            possible[node] = len(below) == len(flat.children[node])
+            use, touched = _sum(below) if possible[node] else ({}, None)
+        else:
+            possible[node] = bool(below)
+            use, touched = _minimum(below), set[Purse]()  # a minimum is no larger than what passed below
+        if not possible[node]:
+            continue
+        if (excess := limits.excess(node, use, touched)) is not None:
+            possible[node] = False
+            found.excesses.append(excess)
+        elif use:
+            least[node] = use
+    return found
+
+
+def _sum(parts: list[dict[Purse, int]]) -> tuple[dict[Purse, int], set[Purse]]:
+    """The sum, written into the largest part, and the purses whose sum has more than one term."""
+    if not parts:
+        return {}, set()
+    largest = max(range(len(parts)), key=lambda index: len(parts[index]))
+    total, touched = parts[largest], set()
+    for index, part in enumerate(parts):
+        if index != largest:
+            for purse, used in part.items():
+                if purse in total:
+                    touched.add(purse)
+                total[purse] = total.get(purse, 0) + used
+    return total, touched
+
+
+def _minimum(parts: list[dict[Purse, int]]) -> dict[Purse, int]:
+    if len(parts) == 1:
+        return parts[0]
+    smallest = min(parts, key=len, default={})
+    return {purse: min(part[purse] for part in parts) for purse in smallest if all(purse in part for part in parts)}
+
+
+class _Limits:
+    """How much each purse holds."""
+
+    def __init__(self, flat: Flat) -> None:
+        self.flat = flat
+        self.pooled: dict[tuple[str, str], int | None] = {}
+        self.largest: dict[tuple[str, str], int | None] = {}
+        self.everywhere: dict[str, int] = {}
+        used = {(flat.robot_type[leaf], name) for leaf, uses in enumerate(flat.uses) for name in uses}
+        for type_id, name in sorted(used):
+            stock = flat.stocks[type_id]
+            self.pooled[type_id, name] = stock.pooled(name)
+            self.largest[type_id, name] = stock.largest(name)
+            self.everywhere[name] = self.everywhere.get(name, 0) + (self.pooled[type_id, name] or 0)
+
+    def charge(self, leaf: int) -> dict[Purse, int]:
+        type_id, role = self.flat.robot_type[leaf], self.flat.role[leaf]
+        charged: dict[Purse, int] = {}
+        for name, used in self.flat.uses[leaf].items():
+            if self.largest[type_id, name] is not None:
+                charged[type_id, role, name] = used
+            if self.pooled[type_id, name] is not None:
+                charged[type_id, -1, name] = used
+                charged["", -1, name] = used
+        return charged
+
+    def excess(self, node: int, use: Mapping[Purse, int], touched: set[Purse] | None) -> Excess | None:
+        for purse in sorted(use if touched is None else touched):
+            type_id, role, name = purse
+            if not type_id:
+                limit: int | None = self.everywhere[name]
+            else:
+                limit = (self.pooled if role < 0 else self.largest)[type_id, name]
+            if limit is not None and use[purse] > limit:
+                return Excess(node, purse, use[purse], limit)
+        return None
+
+
+def reasons_of(possibility: Possibility, severity: Severity, limit: int = 8) -> tuple[Reason, ...]:
+    """The refusals nearest to the root in words, one per budget and type."""
+    said: dict[tuple[str, str], Reason] = {}
+    for excess in reversed(possibility.excesses):
+        type_id, role, name = excess.purse
+        if (type_id, name) in said or len(said) == limit:
+            continue
+        whose = f"one robot of type {type_id}" if role >= 0 else f"type {type_id}" if type_id else "all types together"
+        needed, there = excess.needed / AMOUNT_SCALE, excess.found / AMOUNT_SCALE
+        said[type_id, name] = Reason(
+            rule="budget_exceeded",
+            severity=severity,
+            message=f"Whatever is chosen, node {excess.node} uses {needed:g} of {name}, and {whose} may use {there:g}.",
+            node=str(excess.node),
+            robot=type_id,
+            found=f"{name} {there:g}",
+            needed=f"{name} {needed:g}",
+            hint=f"Raise {name}, add a robot, or give the task another way of being done.",
+        )
+    return tuple(said.values())

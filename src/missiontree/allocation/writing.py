@@ -1,0 +1,67 @@
+"""From a selection to the values that leave allocation."""
+
+from __future__ import annotations
+
+from missiontree.allocation.feasibility import Verdict
+from missiontree.allocation.flat import Flat
+from missiontree.allocation.selection import Selection
+from missiontree.mission.alternative import Alternative, Assignment, Choice, Ranking, RoleType
+from missiontree.mission.certificate import Certificate
+from missiontree.mission.estimate import MICRO
+from missiontree.mission.reason import Reason
+
+FREE = Verdict("yes")
+
+
+def require_count(k: int) -> None:
+    """Refuse to look for fewer than one alternative."""
+    if k < 1:
+        raise ValueError(f"k must be at least 1, got {k}.")
+
+
+class Writer:
+    """Writes alternatives of one problem; equal parts of several alternatives are one value."""
+
+    def __init__(self, flat: Flat) -> None:
+        self._flat = flat
+        self._choices: dict[tuple[int, int], Choice] = {}
+        self._roles: dict[tuple[int, str], RoleType] = {}
+
+    def alternative(
+        self, rank: int, utility: int, selection: Selection, verdict: Verdict, certificate: Certificate
+    ) -> Alternative:
+        """One alternative; the utility is in millionths."""
+        types = sorted({(self._flat.role[leaf], self._flat.robot_type[leaf]) for leaf in selection.leaves})
+        return Alternative(
+            rank=rank,
+            utility=utility / MICRO,
+            choices=tuple(self._choice(xor, child) for xor, child in selection.choices),
+            roles=tuple(self._role(role, type_id) for role, type_id in types),
+            witness=tuple(Assignment(role, robot) for role, robot in verdict.witness),
+            certificate=certificate,
+        )
+
+    def _choice(self, xor: int, child: int) -> Choice:
+        if (xor, child) not in self._choices:
+            self._choices[xor, child] = Choice(xor, child)
+        return self._choices[xor, child]
+
+    def _role(self, role: int, type_id: str) -> RoleType:
+        if (role, type_id) not in self._roles:
+            self._roles[role, type_id] = RoleType(role, type_id)
+        return self._roles[role, type_id]
+
+
+def impossible(method: str, detail: str, reasons: tuple[Reason, ...], examined: int = 0) -> Ranking:
+    """Proven that there is none."""
+    certificate = Certificate(claim="proven", method=method, detail=detail)
+    return Ranking(alternatives=(), status="infeasible", certificate=certificate, examined=examined, reasons=reasons)
+
+
+def no_robot_able(flat: Flat, limit: int = 8) -> tuple[Reason, ...]:
+    """The first XORs without children, one of which stands in every way through the tree."""
+    empty = [node for node, kind in enumerate(flat.kind) if kind == "xor" and not flat.children[node]]
+    message = "has no robot able to do it, and there is no way round it."
+    return tuple(
+        Reason(rule="no_robot_able", message=f"Node {node} {message}", node=str(node)) for node in empty[:limit]
+    )
