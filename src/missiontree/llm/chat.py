@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
+from missiontree.errors import MissiontreeError
+
 Speaker = Literal["system", "user", "assistant", "tool"]
 
 
@@ -72,9 +74,20 @@ class Tool:
     parameters: Mapping[str, Any]
 
 
+class ProviderError(MissiontreeError):
+    """A model could not be used: not reached, refused, or out of words. Authoring makes the outcome ``provider_failed`` of it."""
+
+
 class ChatModel(Protocol):
     """A model that continues a dialogue."""
 
     def __call__(self, messages: Sequence[Message], tools: Sequence[Tool]) -> Message:
-        """Answer the dialogue with one assistant message."""
+        """
+        Answer the dialogue with one assistant message.
+
+        Raises
+        ------
+        ProviderError
+            If there is no answer to be had; anything else raised is a fault of the program.
+        """
         ...

@@ -1,0 +1,161 @@
+"""Every turn of a dialogue kept; a transcript replays to the same tree without a model."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import get_args
+
+from missiontree.authoring.answer import Answer
+from missiontree.authoring.builder import TreeBuilder
+from missiontree.authoring.findings import gate
+from missiontree.authoring.outcome import Authored, AuthoringStatus
+from missiontree.authoring.tools import ToolBox
+from missiontree.formats.digest import digest
+from missiontree.formats.plain import to_plain
+from missiontree.llm.chat import Message, ToolCall
+from missiontree.llm.recording import (
+    Recording,
+    answer_line,
+    damaged,
+    header_line,
+    line_of,
+    message_line,
+    read_recording,
+)
+from missiontree.mission.brief import MissionBrief
+from missiontree.mission.reason import Reason
+
+STAND_INS = frozenset({"offline", "scripted"})
+
+
+class Transcript:
+    """
+    A dialogue while it is being held.
+
+    Parameters
+    ----------
+    brief
+        The mission; its digest stands in the header.
+    source
+        Who the turns come from: ``offline``, ``scripted``, ``recorded``, or a provider.
+    model
+        The provider's model; empty for stand-ins, so that nothing is presented as a model's that is not.
+
+    Raises
+    ------
+    ValueError
+        If a stand-in claims a model.
+    """
+
+    def __init__(self, brief: MissionBrief, source: str, model: str = "") -> None:
+        if source in STAND_INS and model:
+            raise ValueError(f"turns that are {source} come from no model, so they cannot bear the name {model!r}.")
+        self.lines = [header_line(source, model, digest(brief))]
+
+    def say(self, message: Message) -> None:
+        """Keep a message and the calls it asks for."""
+        self.lines.append(message_line(message))
+
+    def answer(self, call: ToolCall, answer: Answer) -> None:
+        """Keep the answer to a call."""
+        self.lines.append(answer_line(call.id, answer.ok, answer.text))
+
+    def end(self, status: AuthoringStatus, reasons: Sequence[Reason], reading: Sequence[str] = ()) -> tuple[str, ...]:
+        """Keep what it came to, and give all lines."""
+        plain = [to_plain(reason) for reason in reasons]
+        self.lines.append(line_of({"kind": "end", "status": status, "reasons": plain, "reading": list(reading)}))
+        return tuple(self.lines)
+
+
+def replay(lines: Sequence[str], brief: MissionBrief) -> Authored:
+    """
+    Make the calls of a transcript again, without a model.
+
+    With the same inputs the same tree comes out, byte for byte. With other inputs the calls are judged anew, a notice says so, and
+    the finish gate has the last word in any case.
+
+    Parameters
+    ----------
+    lines
+        The transcript, a line each.
+    brief
+        The mission.
+
+    Raises
+    ------
+    InputError
+        If the transcript is damaged, or its calls are answered otherwise than it says although the inputs are the same.
+    """
+    recording = read_recording(lines)
+    same_inputs = recording.mission == digest(brief)
+    builder = TreeBuilder(brief)
+    answers = _answers(recording, ToolBox(builder), same_inputs)
+    notices = [notice for answer in answers for notice in answer.notices]
+    if not same_inputs:
+        notices.append(_OTHER_INPUTS)
+    status, reasons = _outcome(recording, builder, len(lines))
+    return Authored(
+        status=status,
+        tree=builder.tree,
+        reasons=reasons,
+        notices=tuple(notice for notice in notices if notice.severity != "assumption"),
+        assumptions=tuple(notice for notice in notices if notice.severity == "assumption"),
+        transcript=tuple(lines),
+        reading=tuple(recording.end["reading"]),
+        author="recorded",
+        model=recording.model,
+    )
+
+
+def _answers(recording: Recording, box: ToolBox, same_inputs: bool) -> list[Answer]:
+    """Run every call that was answered, in order."""
+    asked: list[ToolCall] = []
+    answers = []
+    for number, entry in recording.entries:
+        if isinstance(entry, Message):
+            asked = list(entry.calls)
+            continue
+        if not asked or asked[0].id != entry.call:
+            raise damaged(number, f"call {entry.call!r} is answered here, and was not asked for at this point")
+        call = asked.pop(0)
+        answer = box.call(call.name, call.arguments)
+        if same_inputs and answer.ok != entry.ok:
+            raise damaged(
+                number, f"call {call.id!r} of {call.name} is {_word(answer.ok)} now and was {_word(entry.ok)}"
+            )
+        answers.append(answer)
+    return answers
+
+
+def _outcome(recording: Recording, builder: TreeBuilder, last: int) -> tuple[AuthoringStatus, tuple[Reason, ...]]:
+    """What the transcript says it came to, as far as the calls bear it out."""
+    status = recording.end["status"]
+    if status not in get_args(AuthoringStatus):
+        raise damaged(last, f"there is no status {status!r}", accepted=", ".join(get_args(AuthoringStatus)))
+    try:
+        said = tuple(Reason(**reason) for reason in recording.end["reasons"])
+        reading = all(isinstance(line, str) for line in recording.end["reading"])
+    except (TypeError, ValueError) as error:
+        raise damaged(last, f"a reason is none: {error}") from error
+    if not reading:
+        raise damaged(last, "reading is not a list of texts")
+    if builder.state.impossible:
+        return "cannot_be_done", builder.state.impossible
+    faults = gate(builder.tree, builder.brief)
+    if status == "complete":
+        return ("incomplete", faults) if faults else ("complete", ())
+    if status == "cannot_be_done":
+        raise damaged(last, "the mission is said to be impossible, and no call declares it")
+    return status, said
+
+
+def _word(ok: bool) -> str:
+    return "accepted" if ok else "refused"
+
+
+_OTHER_INPUTS = Reason(
+    rule="other_inputs",
+    message="The transcript was recorded with another mission, fleet, scene or set of routines; its calls were judged anew.",
+    severity="notice",
+    hint="Look the tree over before you rely on it.",
+)

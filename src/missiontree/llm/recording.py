@@ -1,0 +1,161 @@
+"""
+A dialogue as text: JSON Lines, one canonical object per line, ASCII throughout so that no letter can break a line.
+
+The first line is the header: format, where the turns came from, the digest of the mission. Then come messages and answers in the order
+in which they were said, and an end line with what it came to.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from missiontree.errors import InputError
+from missiontree.llm.chat import Message, ToolCall
+
+FORMAT = "transcript/1"
+_CALL_KEYS = {"id": str, "name": str, "arguments": str}
+_KEYS: dict[str, dict[str, type]] = {
+    "message": {"speaker": str, "text": str, "calls": list},
+    "answer": {"call": str, "ok": bool, "text": str},
+    "end": {"status": str, "reasons": list, "reading": list},
+}
+_SPEAKERS = {"system", "user", "assistant"}
+
+
+@dataclass(frozen=True, slots=True)
+class Answered:
+    """The answer a call was given, as recorded."""
+
+    call: str
+    ok: bool
+    text: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Recording:
+    """
+    A transcript, read.
+
+    Parameters
+    ----------
+    source
+        Who the turns came from: ``offline``, ``scripted``, ``recorded``, or a provider.
+    model
+        The provider's model; empty if there was none.
+    mission
+        Digest of the mission and its inputs.
+    entries
+        Messages and answers with the lines they stand on.
+    end
+        What the dialogue came to: ``status``, ``reasons``, ``reading``.
+    """
+
+    source: str
+    model: str
+    mission: str
+    entries: tuple[tuple[int, Message | Answered], ...]
+    end: Mapping[str, Any]
+
+
+def line_of(plain: Mapping[str, Any]) -> str:
+    """One line of a transcript: keys sorted, no blanks, ASCII."""
+    return json.dumps(plain, sort_keys=True, separators=(",", ":"), allow_nan=False)
+
+
+def header_line(source: str, model: str, mission: str) -> str:
+    """The first line."""
+    return line_of({"format": FORMAT, "source": source, "model": model, "mission": mission})
+
+
+def message_line(message: Message) -> str:
+    """A message with the calls it asks for."""
+    calls = [{"id": call.id, "name": call.name, "arguments": call.arguments} for call in message.calls]
+    return line_of({"kind": "message", "speaker": message.speaker, "text": message.text, "calls": calls})
+
+
+def answer_line(call: str, ok: bool, text: str) -> str:
+    """The answer to a call."""
+    return line_of({"kind": "answer", "call": call, "ok": ok, "text": text})
+
+
+def read_recording(lines: Sequence[str]) -> Recording:
+    """
+    Read a transcript.
+
+    Raises
+    ------
+    InputError
+        With the line, if the transcript is damaged: not JSON, not of the format, cut off, or with something after its end.
+    """
+    header = _header(lines)
+    entries: list[tuple[int, Message | Answered]] = []
+    end: dict[str, Any] | None = None
+    for number, line in enumerate(lines[1:], start=2):
+        if end is not None:
+            raise damaged(number, "something stands after the end line")
+        plain = _plain(line, number)
+        kind = plain.get("kind")
+        if not isinstance(kind, str) or kind not in _KEYS:
+            raise damaged(number, f"there is no kind of line {kind!r}", accepted=", ".join(_KEYS))
+        _check_keys(plain, _KEYS[kind], {"kind"}, number)
+        if kind == "end":
+            end = plain
+        elif kind == "answer":
+            entries.append((number, Answered(plain["call"], plain["ok"], plain["text"])))
+        else:
+            entries.append((number, _message(plain, number)))
+    if end is None:
+        raise damaged(len(lines), "the transcript is cut off: its end line is missing")
+    return Recording(
+        source=header["source"], model=header["model"], mission=header["mission"], entries=tuple(entries), end=end
+    )
+
+
+def damaged(number: int, message: str, accepted: str = "") -> InputError:
+    """The error of a damaged transcript, with its line."""
+    return InputError(message, file="transcript", line=number, accepted=accepted, hint="Record the dialogue again.")
+
+
+def _header(lines: Sequence[str]) -> dict[str, Any]:
+    if not lines:
+        raise damaged(1, "the transcript is empty", accepted=f'a first line with "format": "{FORMAT}"')
+    header = _plain(lines[0], 1)
+    if header.get("format") != FORMAT:
+        raise damaged(1, f"the format is {header.get('format')!r}", accepted=FORMAT)
+    _check_keys(header, {"source": str, "model": str, "mission": str}, {"format"}, 1)
+    return header
+
+
+def _plain(line: str, number: int) -> dict[str, Any]:
+    try:
+        plain = json.loads(line)
+    except (ValueError, RecursionError) as error:
+        raise damaged(number, f"the line is not JSON: {error}") from error
+    if not isinstance(plain, dict):
+        raise damaged(number, "the line is not a JSON object")
+    return plain
+
+
+def _check_keys(plain: Mapping[str, Any], wanted: Mapping[str, type], beside: set[str], number: int) -> None:
+    if set(plain) != set(wanted) | beside:
+        raise damaged(
+            number, f"the line has the keys {', '.join(sorted(plain))}", accepted=", ".join(sorted({*wanted, *beside}))
+        )
+    for key, kind in wanted.items():
+        if not isinstance(plain[key], kind):
+            raise damaged(number, f"{key} is {plain[key]!r}", accepted=f"a {kind.__name__}")
+
+
+def _message(plain: Mapping[str, Any], number: int) -> Message:
+    if plain["speaker"] not in _SPEAKERS:
+        raise damaged(number, f"the speaker is {plain['speaker']!r}", accepted=", ".join(sorted(_SPEAKERS)))
+    calls = []
+    for call in plain["calls"]:
+        if not isinstance(call, dict):
+            raise damaged(number, f"a call is {call!r}", accepted="an object")
+        _check_keys(call, _CALL_KEYS, set(), number)
+        calls.append(ToolCall(call["id"], call["name"], call["arguments"]))
+    return Message(plain["speaker"], plain["text"], tuple(calls))
