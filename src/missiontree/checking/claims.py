@@ -22,11 +22,12 @@ def ranking_status_unfounded(case: Case) -> Iterator[Fault]:
             found=f"{ranking.status}, {count} alternatives",
             needed="none if infeasible or unknown, at least 1 otherwise",
         )
-    if (ranking.status in {"exact", "infeasible"}) != (claim == "proven"):
+    proof_needed, proof_denied = ranking.status in {"exact", "infeasible"}, ranking.status == "unknown"
+    if (proof_needed and claim != "proven") or (proof_denied and claim == "proven"):
         yield Fault(
             f"the ranking is {ranking.status} and its certificate {claim}.",
             found=f"{ranking.status}, {claim}",
-            needed="exact or infeasible exactly if proven",
+            needed="proven" if proof_needed else "bounded or unproven",
         )
 
 

@@ -1,0 +1,299 @@
+"""Sound plans that the checker's tests start from, made by the real road: ground, rank exactly, schedule greedily."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from missiontree.allocation import ALLOCATORS
+from missiontree.formats.inputs import input_digests
+from missiontree.mission.brief import MissionBrief
+from missiontree.mission.control import Control
+from missiontree.mission.fleet import Fleet, Robot, RobotType
+from missiontree.mission.plan import Plan, Provenance
+from missiontree.mission.position import Position
+from missiontree.mission.routine import ActionStep, Argument, Branch, Need, RoleSpec, Routine, RoutineLibrary
+from missiontree.mission.scene import (
+    Area,
+    Entity,
+    KeepOut,
+    Lift,
+    OccupancyGrid,
+    Road,
+    RoadGraph,
+    RoadNode,
+    Scene,
+    Zone,
+)
+from missiontree.mission.tree import Link, MissionNode, MissionTree
+from missiontree.routines.ground import ground
+from missiontree.routines.library import built_in
+from missiontree.scheduling import SCHEDULERS
+from tests.builders import brief_of, flat_tree, reunite_tree, rescue_tree, routine_node
+
+THINGS = ("object", "person", "animal")
+
+
+def made(tree: MissionTree, brief: MissionBrief, k: int = 4, allocator: str = "exact") -> Plan:
+    """The plan that missiontree makes of a tree."""
+    grounding = ground(tree, brief)
+    ranking = ALLOCATORS[allocator](grounding.tree, brief.fleet, brief.weights, k, Control())
+    scene = brief.world.extended(tree.entities)
+    schedules = tuple(
+        SCHEDULERS["greedy"](grounding.tree, alternative, brief.fleet, scene, Control())
+        for alternative in ranking.alternatives
+    )
+    works = any(schedule.status in {"optimal", "feasible"} for schedule in schedules)
+    reasons = tuple(reason for schedule in schedules for reason in schedule.reasons) + ranking.reasons
+    return Plan(
+        outcome="delivered" if works else "cannot_be_done",
+        brief=brief,
+        tree=tree,
+        grounding=grounding,
+        ranking=ranking,
+        schedules=schedules,
+        reasons=() if works else reasons + grounding.not_offered,
+        digests=input_digests(brief, tree),
+        provenance=Provenance(author="given"),
+    )
+
+
+@cache
+def reunite() -> Plan:
+    """The paper's first mission: no scene, four alternatives."""
+    tree = reunite_tree()
+    return made(tree, brief_of(tree))
+
+
+@cache
+def rescue() -> Plan:
+    """The paper's second mission: two searches in parallel by interchangeable robots."""
+    tree = rescue_tree()
+    return made(tree, brief_of(tree))
+
+
+def yard_routines() -> RoutineLibrary:
+    """The built-in routines, an inspection, and a load that two robots carry together."""
+    inspect = Routine(
+        id="Inspect",
+        purpose="Inspect {agent}.",
+        arguments=(Argument(name="agent", kinds=THINGS),),
+        branches=(
+            Branch(
+                name="look",
+                roles=(
+                    RoleSpec(
+                        name="inspector",
+                        rating="reach",
+                        actions=(
+                            ActionStep(name="inspect", text="Inspect {agent}", duration_s=30, at="agent", uses={"energy_j": 50}),
+                        ),
+                    ),
+                ),
+            ),
+        ),
+    )
+    together = Routine(
+        id="CarryTogether",
+        purpose="Carry {agent} to {location} with two robots.",
+        arguments=(Argument(name="agent", kinds=THINGS), Argument(name="location", kinds=("place",))),
+        branches=(
+            Branch(
+                name="pair",
+                roles=(
+                    RoleSpec(
+                        name="carrier",
+                        rating="carry",
+                        robots=2,
+                        needs=(Need(limit="payload_kg", at_least="agent.mass_kg", share=0.5),),
+                        actions=(
+                            ActionStep(name="grip", text="Grip {agent}", duration_s=10, at="agent", sync="grip"),
+                            ActionStep(
+                                name="haul", text="Haul {agent} to {location}", duration_s=60, goes_to="location",
+                                brings=("agent",), sync="haul",
+                            ),
+                            ActionStep(name="release", text="Release {agent}", duration_s=5.5, uses={"energy_j": 10}),
+                        ),
+                    ),
+                ),
+            ),
+        ),
+    )
+    return RoutineLibrary(routines=(*built_in().routines, inspect, together))
+
+
+def yard_scene() -> Scene:
+    """Depot (0, 0), hall (100, 0), yard (100, 50) and dock (200, 0) on a cross of roads; the depot's floor has a way round."""
+    places = tuple(
+        Entity(id=name, kind="place", position=Position(x_m, y_m))
+        for name, x_m, y_m in (("depot", 0, 0), ("hall", 100, 0), ("yard", 100, 50), ("dock", 200, 0))
+    )
+    return Scene(
+        zones=(Zone(id="inside"), Zone(id="pier")),
+        places=places,
+        entities=(
+            Entity(id="crate", place="yard", mass_kg=40),
+            Entity(id="beam", position=Position(100, 60), mass_kg=90, max_speed_mps=1.0),
+            Entity(id="guest", kind="person", position=Position(95, 5), zone="inside"),
+        ),
+        roads=RoadGraph(
+            nodes=(RoadNode(id="bend", position=Position(50, 80)),),
+            roads=(
+                Road(ends=("depot", "hall")),
+                Road(ends=("hall", "yard")),
+                Road(ends=("hall", "dock"), length_m=110),
+                Road(ends=("depot", "bend"), length_m=300, one_way=True),
+                Road(ends=("bend", "yard"), blocked=True),
+            ),
+        ),
+    )
+
+
+def yard_fleet() -> Fleet:
+    """Two interchangeable carts, a mule of its own type, and a watcher off the road."""
+    return Fleet(
+        (
+            RobotType(
+                id="cart",
+                capabilities={"carry": 0.9, "reach": 0.8},
+                limits={"max_speed_mps": 2.0, "payload_kg": 50, "energy_j": 2000},
+                total_limits={"energy_j": 3500},
+                uses_per_m={"energy_j": 1.0},
+                count=2,
+                place="depot",
+            ),
+            RobotType(
+                id="mule",
+                capabilities={"carry": 0.5, "reach": 0.5},
+                limits={"max_speed_mps": 1.5, "payload_kg": 60},
+                uses_per_m={"energy_j": 2.0},
+                robots=(Robot(id="molly", place="dock", remaining={"energy_j": 1800}),),
+            ),
+            RobotType(
+                id="watcher",
+                capabilities={"follow": 1.0, "search": 1.0},
+                limits={"max_speed_mps": 1.0},
+                zones=("inside",),
+                count=1,
+                position=Position(110, 5),
+            ),
+        )
+    )
+
+
+@cache
+def yard() -> Plan:
+    """Roads, a moved crate, interchangeable carts, joint work, budgets, an until link, a same-robot and a different-robot link."""
+    tree = flat_tree(
+        routine_node("bring", "ReachAndTransport", agent="crate", location="dock"),
+        routine_node("inspect", "Inspect", agent="crate"),
+        routine_node("haul", "CarryTogether", agent="beam", location="dock"),
+        routine_node("watch", "Follow", agent="guest"),
+        routine_node("look", "Inspect", agent="beam"),
+        links=(
+            Link("bring", "inspect"),
+            Link("bring", "inspect", "same_robot"),
+            Link("watch", "haul", "until"),
+            Link("haul", "look"),
+            Link("inspect", "look", "different_robot"),
+        ),
+    )
+    return made(tree, brief_of(tree, yard_fleet(), yard_routines(), scene=yard_scene()))
+
+
+@cache
+def choices() -> Plan:
+    """A task with a choice over open ground with a keep-out between: an XOR above routines, a person led at her own pace."""
+    tree = MissionTree(
+        objective="See to the visitor",
+        nodes=(
+            MissionNode(id="root", label="See to the visitor", gate="and", children=("either", "after")),
+            MissionNode(id="either", label="Fetch or watch", gate="xor", children=("fetch", "watch")),
+            routine_node("fetch", "Transport", agent="visitor", location="door"),
+            routine_node("watch", "SearchAndFollow", agent="visitor"),
+            routine_node("after", "Reach", agent="visitor"),
+        ),
+        links=(Link("either", "after"),),
+    )
+    scene = Scene(
+        places=(Entity(id="door", kind="place", position=Position(30, 0)),),
+        entities=(Entity(id="visitor", kind="person", position=Position(10, 0), max_speed_mps=0.5),),
+        keep_outs=(KeepOut(id="pool", area=Area(corners=((15, -5), (25, -5), (25, 5), (15, 5)))),),
+    )
+    fleet = Fleet(
+        (
+            RobotType(
+                id="host",
+                capabilities={"message_display": 1.0, "reach": 0.5, "search": 0.4, "follow": 0.4},
+                limits={"max_speed_mps": 1.0},
+                count=1,
+                position=Position(0, 0),
+            ),
+            RobotType(
+                id="scout", capabilities={"search": 0.6, "follow": 0.6, "reach": 0.6}, limits={"max_speed_mps": 2.0}, count=1,
+                position=Position(40, 0),
+            ),
+        )
+    )
+    return made(tree, brief_of(tree, fleet, scene=scene), k=6)
+
+
+@cache
+def floors() -> Plan:
+    """A lift between two floors, and a slow way round by a ramp."""
+    tree = flat_tree(
+        routine_node("bring", "Transport", agent="parcel", location="office"),
+        routine_node("meet", "Reach", agent="parcel"),
+        links=(Link("bring", "meet"),),
+    )
+    scene = Scene(
+        places=(Entity(id="office", kind="place", position=Position(10, 3, "upper")),),
+        entities=(Entity(id="parcel", position=Position(5, 1), mass_kg=2),),
+        roads=RoadGraph(
+            nodes=(
+                RoadNode(id="lobby", position=Position(0, 0)),
+                RoadNode(id="shaft", position=Position(10, 0)),
+                RoadNode(id="landing", position=Position(10, 0, "upper")),
+                RoadNode(id="ramp_foot", position=Position(0, 10)),
+                RoadNode(id="ramp_head", position=Position(0, 10, "upper")),
+            ),
+            roads=(
+                Road(ends=("lobby", "shaft")),
+                Road(ends=("lobby", "ramp_foot")),
+                Road(ends=("ramp_foot", "ramp_head"), length_m=40),
+                Road(ends=("ramp_head", "landing")),
+            ),
+            lifts=(Lift(id="lift", stops=("shaft", "landing"), ride_s=20),),
+        ),
+    )
+    fleet = Fleet(
+        (
+            RobotType(
+                id="porter", capabilities={"carry": 1.0, "reach": 1.0}, limits={"max_speed_mps": 1.0}, count=2,
+                position=Position(0, 0),
+            ),
+        )
+    )
+    return made(tree, brief_of(tree, fleet, scene=scene), k=1)
+
+
+@cache
+def maze() -> Plan:
+    """A grid with a wall to go round."""
+    tree = flat_tree(routine_node("find", "Search", agent="cat"), routine_node("meet", "Reach", agent="door"))
+    scene = Scene(
+        places=(Entity(id="door", kind="place", position=Position(4.5, 0.5)),),
+        entities=(Entity(id="cat", kind="animal", last_seen=Position(4.2, 2.5)),),
+        grid=OccupancyGrid(rows=(".....", "..#..", "..#.."), cell_m=1.0),
+    )
+    fleet = Fleet(
+        (
+            RobotType(
+                id="rover", capabilities={"search": 1.0, "reach": 1.0}, limits={"max_speed_mps": 0.5}, count=1,
+                position=Position(0.5, 0.5),
+            ),
+        )
+    )
+    return made(tree, brief_of(tree, fleet, scene=scene))
+
+
+PLANS = {"reunite": reunite, "rescue": rescue, "yard": yard, "choices": choices, "floors": floors, "maze": maze}
