@@ -11,6 +11,7 @@ from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Entity, Scene
 from missiontree.routines.compose import FlatAction, FlatRole
+from missiontree.routines.nearest import Starts
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +56,7 @@ class Itineraries:
     def __init__(self, scene: Scene) -> None:
         self._scene = scene
         self._model = TravelModel(scene)
-        self._starts: dict[str, tuple[Position | None, ...]] = {}
+        self._starts: dict[str, tuple[Starts, bool]] = {}
 
     def walk(
         self, role: FlatRole, robot_type: RobotType, entities: Mapping[str, Entity], elsewhere: Collection[str]
@@ -92,6 +93,8 @@ class Itineraries:
             travels.append(travel)
             if position is not None or action.step.goes_to is not None:
                 robot.position, robot.certain, robot.started = position, certain, True
+            else:
+                robot.certain = False  # it may have gone to where nobody knows
             brought |= {entities[name].id: (position, certain) for name in action.step.brings}
         return tuple(travels)
 
@@ -119,22 +122,21 @@ class Itineraries:
         self, robot_type: RobotType, position: Position, certain: bool, speed_mps: float | None
     ) -> Travel | Reason:
         """The way from the nearest robot. If no robot's start has a way, none ever will: starts lead to all else it can reach."""
-        starts = self._starts_of(robot_type)
-        known = [start for start in starts if start is not None]
-        legs = [self._model.leg(robot_type, start, position, speed_mps) for start in known]
-        ways = [leg for leg in legs if isinstance(leg, Leg)]
-        if ways:
-            nearest = min(ways, key=lambda leg: (travel_time_s(leg, speed_mps or 1.0), leg.distance_m))
-            return Travel(nearest.distance_m, _time_s(nearest, speed_mps))
-        blocked = next((leg for leg in legs if isinstance(leg, Blocked)), None)
-        if blocked is not None and certain and len(known) == len(starts):
-            return blocked.reason
-        return Travel()
+        starts, all_known = self._starts_of(robot_type)
+        leg = starts.quickest(
+            position, lambda start: self._model.leg(robot_type, start, position, speed_mps), speed_mps or 1.0
+        )
+        if isinstance(leg, Leg):
+            return Travel(leg.distance_m, _time_s(leg, speed_mps))
+        return leg.reason if leg is not None and certain and all_known else Travel()
 
-    def _starts_of(self, robot_type: RobotType) -> tuple[Position | None, ...]:
+    def _starts_of(self, robot_type: RobotType) -> tuple[Starts, bool]:
+        """Where the robots of the type start, and whether that is known of all."""
         if robot_type.id not in self._starts:
             members = robot_type.members if robot_type.robots else robot_type.members[:1]
-            self._starts[robot_type.id] = tuple(dict.fromkeys(start_of(robot, self._scene) for robot in members))
+            starts = [start_of(robot, self._scene) for robot in members]
+            known = Starts(start for start in starts if start is not None)
+            self._starts[robot_type.id] = known, None not in starts
         return self._starts[robot_type.id]
 
 
