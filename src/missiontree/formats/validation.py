@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 _NOWHERE = object()
+_MAX_FAULTS = 1000
 
 
 @per_class
@@ -63,14 +64,26 @@ def to_value(parsed: Parsed, cls: type[T]) -> T:
     try:
         return cast(T, adapter(cls).validate_json(to_json(parsed.data), strict=True))
     except ValidationError as error:
-        faults = [_locate(cls, parsed.data, detail["loc"], detail) for detail in error.errors(include_url=False)]
+        details = error.errors(include_url=False, include_input=False)
+        faults = [_locate(cls, parsed.data, detail["loc"], detail) for detail in details[:_MAX_FAULTS]]
     placed = {fault.path: fault for fault in reversed(faults) if fault is not None}
-    ordered = sorted(placed.values(), key=lambda fault: parsed.line_of(fault.path) if len(placed) > 1 else 0)
-    refusal = ordered[0].refusal(parsed)
-    if len(ordered) > 1:
-        more = f"{len(ordered) - 1} more fault{'s' if len(ordered) > 2 else ''} further down."
+    first = min(placed.values(), key=lambda fault: _rank(parsed.data, fault.path))
+    refusal = first.refusal(parsed)
+    if len(placed) > 1:
+        count = f"{'at least ' if len(details) > _MAX_FAULTS else ''}{len(placed) - 1}"
+        more = f"{count} more fault{'s' if len(placed) > 2 else ''} further down."
         refusal.hint = f"{refusal.hint} {more}".strip()
     raise refusal
+
+
+def _rank(data: Any, path: Path) -> tuple[int, ...]:
+    """Sorts paths in the order of the document; what is missing comes after what is there, of which it may be a misspelling."""
+    rank = []
+    for step in path:
+        keys = list(data) if isinstance(data, dict) else []
+        rank.append(step if isinstance(step, int) else keys.index(step) if step in keys else len(keys))
+        data = _child(data, step)
+    return tuple(rank)
 
 
 @dataclass(frozen=True)
