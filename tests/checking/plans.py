@@ -85,7 +85,9 @@ def yard_routines() -> RoutineLibrary:
                         name="inspector",
                         rating="reach",
                         actions=(
-                            ActionStep(name="inspect", text="Inspect {agent}", duration_s=30, at="agent", uses={"energy_j": 50}),
+                            ActionStep(
+                                name="inspect", text="Inspect {agent}", duration_s=30, at="agent", uses={"energy_j": 50}
+                            ),
                         ),
                     ),
                 ),
@@ -108,8 +110,12 @@ def yard_routines() -> RoutineLibrary:
                         actions=(
                             ActionStep(name="grip", text="Grip {agent}", duration_s=10, at="agent", sync="grip"),
                             ActionStep(
-                                name="haul", text="Haul {agent} to {location}", duration_s=60, goes_to="location",
-                                brings=("agent",), sync="haul",
+                                name="haul",
+                                text="Haul {agent} to {location}",
+                                duration_s=60,
+                                goes_to="location",
+                                brings=("agent",),
+                                sync="haul",
                             ),
                             ActionStep(name="release", text="Release {agent}", duration_s=5.5, uses={"energy_j": 10}),
                         ),
@@ -229,7 +235,10 @@ def choices() -> Plan:
                 position=Position(0, 0),
             ),
             RobotType(
-                id="scout", capabilities={"search": 0.6, "follow": 0.6, "reach": 0.6}, limits={"max_speed_mps": 2.0}, count=1,
+                id="scout",
+                capabilities={"search": 0.6, "follow": 0.6, "reach": 0.6},
+                limits={"max_speed_mps": 2.0},
+                count=1,
                 position=Position(40, 0),
             ),
         )
@@ -247,7 +256,7 @@ def floors() -> Plan:
     )
     scene = Scene(
         places=(Entity(id="office", kind="place", position=Position(10, 3, "upper")),),
-        entities=(Entity(id="parcel", position=Position(5, 1), mass_kg=2),),
+        entities=(Entity(id="parcel", position=Position(4, 1), mass_kg=2),),
         roads=RoadGraph(
             nodes=(
                 RoadNode(id="lobby", position=Position(0, 0)),
@@ -268,7 +277,10 @@ def floors() -> Plan:
     fleet = Fleet(
         (
             RobotType(
-                id="porter", capabilities={"carry": 1.0, "reach": 1.0}, limits={"max_speed_mps": 1.0}, count=2,
+                id="porter",
+                capabilities={"carry": 1.0, "reach": 1.0},
+                limits={"max_speed_mps": 1.0},
+                count=2,
                 position=Position(0, 0),
             ),
         )
@@ -288,7 +300,10 @@ def maze() -> Plan:
     fleet = Fleet(
         (
             RobotType(
-                id="rover", capabilities={"search": 1.0, "reach": 1.0}, limits={"max_speed_mps": 0.5}, count=1,
+                id="rover",
+                capabilities={"search": 1.0, "reach": 1.0},
+                limits={"max_speed_mps": 0.5},
+                count=1,
                 position=Position(0.5, 0.5),
             ),
         )

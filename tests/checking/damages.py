@@ -1,0 +1,1059 @@
+"""
+Kinds of damage that can be done to a sound plan, each with the rule that must name it.
+
+A kind of damage yields the plan damaged at one place after another. It yields nothing where a plan has no such place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import Any
+
+from missiontree.mission.alternative import Alternative, Assignment, Choice, RoleType
+from missiontree.mission.certificate import Certificate
+from missiontree.mission.fleet import Robot, RobotType
+from missiontree.mission.grounded import GroundedNode, GroundedTree
+from missiontree.mission.plan import Plan
+from missiontree.mission.position import Position
+from missiontree.mission.reason import Reason
+from missiontree.mission.routine import Need, Routine, RoutineLibrary
+from missiontree.mission.scene import Entity, Zone
+from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.tree import Link, MissionNode
+
+Damage = Callable[[Plan], Iterator[Plan]]
+DAMAGES: list[tuple[str, Damage]] = []
+WHY = Reason(rule="time_limit", message="Time was up.")
+
+
+def breaks(rule: str) -> Callable[[Damage], Damage]:
+    """Lists a kind of damage under the rule that must name it."""
+
+    def listed(damage: Damage) -> Damage:
+        DAMAGES.append((rule, damage))
+        return damage
+
+    return listed
+
+
+# Where damage is done.
+
+
+def with_alternative(plan: Plan, place: int, **changes: Any) -> Plan:
+    assert plan.ranking is not None
+    alternatives = list(plan.ranking.alternatives)
+    alternatives[place] = replace(alternatives[place], **changes)
+    return replace(plan, ranking=replace(plan.ranking, alternatives=tuple(alternatives)))
+
+
+def with_schedule(plan: Plan, place: int, **changes: Any) -> Plan:
+    schedules = list(plan.schedules)
+    schedules[place] = replace(schedules[place], **changes)
+    return replace(plan, schedules=tuple(schedules))
+
+
+def with_ranking(plan: Plan, **changes: Any) -> Plan:
+    assert plan.ranking is not None
+    return replace(plan, ranking=replace(plan.ranking, **changes))
+
+
+def with_nodes(plan: Plan, place: int, node: MissionNode, **changes: Any) -> Plan:
+    assert plan.tree is not None
+    nodes = list(plan.tree.nodes)
+    nodes[place] = node
+    return replace(plan, tree=replace(plan.tree, nodes=tuple(nodes), **changes))
+
+
+def with_grounded(plan: Plan, **changes: Any) -> Plan:
+    assert plan.grounding is not None
+    return replace(plan, grounding=replace(plan.grounding, tree=replace(plan.grounding.tree, **changes)))
+
+
+def with_action(plan: Plan, leaf: int, **changes: Any) -> Plan:
+    tree = grounded_tree(plan)
+    nodes = list(tree.nodes)
+    nodes[leaf] = replace(nodes[leaf], action=replace(tree.action(leaf), **changes))
+    return with_grounded(plan, nodes=tuple(nodes))
+
+
+def with_kind(plan: Plan, type_id: str, **changes: Any) -> Plan:
+    types = tuple(replace(kind, **changes) if kind.id == type_id else kind for kind in plan.brief.fleet.types)
+    return replace(plan, brief=replace(plan.brief, fleet=replace(plan.brief.fleet, types=types)))
+
+
+def with_routines(plan: Plan, changed: Callable[[Routine], Routine]) -> Plan:
+    library = RoutineLibrary(routines=tuple(changed(routine) for routine in plan.brief.routines.routines))
+    return replace(plan, brief=replace(plan.brief, routines=library))
+
+
+def grounded_tree(plan: Plan) -> GroundedTree:
+    assert plan.grounding is not None
+    return plan.grounding.tree
+
+
+def alternatives(plan: Plan) -> Iterator[tuple[int, Alternative]]:
+    assert plan.ranking is not None
+    yield from enumerate(plan.ranking.alternatives)
+
+
+def schedules(plan: Plan) -> Iterator[tuple[int, Schedule]]:
+    yield from enumerate(plan.schedules)
+
+
+def calls(plan: Plan) -> Iterator[tuple[int, MissionNode]]:
+    assert plan.tree is not None
+    yield from ((place, node) for place, node in enumerate(plan.tree.nodes) if node.routine is not None)
+
+
+def leaves(plan: Plan) -> Iterator[tuple[int, GroundedNode]]:
+    yield from ((leaf, node) for leaf, node in enumerate(grounded_tree(plan).nodes) if node.action is not None)
+
+
+def used_types(plan: Plan) -> Iterator[RobotType]:
+    used = {entry.robot_type for _, alternative in alternatives(plan) for entry in alternative.roles}
+    yield from (kind for kind in plan.brief.fleet.types if kind.id in used)
+
+
+def scheduled(plan: Plan) -> Iterator[tuple[int, Schedule, int, ScheduledAction]]:
+    for place, schedule in schedules(plan):
+        for number, done in enumerate(schedule.actions):
+            yield place, schedule, number, done
+
+
+def travelled(plan: Plan) -> Iterator[tuple[int, Schedule, int, TravelLeg]]:
+    for place, schedule in schedules(plan):
+        for number, leg in enumerate(schedule.legs):
+            yield place, schedule, number, leg
+
+
+def with_done(plan: Plan, place: int, number: int, **changes: Any) -> Plan:
+    actions = list(plan.schedules[place].actions)
+    actions[number] = replace(actions[number], **changes)
+    return with_schedule(plan, place, actions=tuple(actions))
+
+
+def with_leg(plan: Plan, place: int, number: int, **changes: Any) -> Plan:
+    legs = list(plan.schedules[place].legs)
+    legs[number] = replace(legs[number], **changes)
+    return with_schedule(plan, place, legs=tuple(legs))
+
+
+def without(entries: tuple[Any, ...], number: int) -> tuple[Any, ...]:
+    return (*entries[:number], *entries[number + 1 :])
+
+
+def moves(plan: Plan, leaf: int) -> bool:
+    return grounded_tree(plan).action(leaf).moves
+
+
+# Inputs and mission tree.
+
+
+@breaks("digest_mismatch")
+def digest_changed(plan: Plan) -> Iterator[Plan]:
+    for name in plan.digests:
+        yield replace(plan, digests={**plan.digests, name: "0" * 64})
+
+
+@breaks("digest_mismatch")
+def digest_dropped(plan: Plan) -> Iterator[Plan]:
+    for name in plan.digests:
+        yield replace(plan, digests={other: value for other, value in plan.digests.items() if other != name})
+
+
+@breaks("digest_mismatch")
+def mission_reworded(plan: Plan) -> Iterator[Plan]:
+    yield replace(plan, brief=replace(plan.brief, text=plan.brief.text + " now"))
+
+
+@breaks("digest_unknown")
+def digest_added(plan: Plan) -> Iterator[Plan]:
+    yield replace(plan, digests={**plan.digests, "weather": "0" * 64})
+
+
+@breaks("tree_missing")
+def tree_dropped(plan: Plan) -> Iterator[Plan]:
+    yield replace(plan, tree=None)
+    yield replace(plan, grounding=None)
+
+
+@breaks("leaf_open")
+def routine_dropped(plan: Plan) -> Iterator[Plan]:
+    for place, node in calls(plan):
+        yield with_nodes(plan, place, MissionNode(id=node.id, label=node.label))
+
+
+@breaks("routine_unknown")
+def routine_misnamed(plan: Plan) -> Iterator[Plan]:
+    for place, node in calls(plan):
+        yield with_nodes(plan, place, replace(node, routine="Juggle"))
+
+
+@breaks("argument_wrong")
+def argument_dropped(plan: Plan) -> Iterator[Plan]:
+    for place, node in calls(plan):
+        for name in node.arguments:
+            kept = {other: value for other, value in node.arguments.items() if other != name}
+            yield with_nodes(plan, place, replace(node, arguments=kept))
+
+
+@breaks("argument_wrong")
+def argument_added(plan: Plan) -> Iterator[Plan]:
+    for place, node in calls(plan):
+        yield with_nodes(
+            plan, place, replace(node, arguments={**node.arguments, "mood": next(iter(node.arguments.values()))})
+        )
+
+
+@breaks("entity_unknown")
+def entity_misnamed(plan: Plan) -> Iterator[Plan]:
+    for place, node in calls(plan):
+        for name in node.arguments:
+            yield with_nodes(plan, place, replace(node, arguments={**node.arguments, name: "nobody"}))
+
+
+@breaks("entity_clash")
+def entity_doubled(plan: Plan) -> Iterator[Plan]:
+    assert plan.tree is not None
+    if plan.brief.scene is not None:
+        yield replace(plan, tree=replace(plan.tree, entities=(plan.brief.scene.all_entities[0],)))
+    yield replace(plan, tree=replace(plan.tree, entities=(*plan.tree.entities, Entity(id="oddity", kind="wonder"))))
+
+
+@breaks("resource_unknown")
+def resource_misnamed(plan: Plan) -> Iterator[Plan]:
+    for place, node in calls(plan):
+        yield with_nodes(plan, place, replace(node, resources=("ghost",)))
+
+
+@breaks("precedence_circular")
+def precedence_reversed(plan: Plan) -> Iterator[Plan]:
+    assert plan.tree is not None
+    for link in plan.tree.links:
+        if link.kind == "precedence":
+            yield replace(plan, tree=replace(plan.tree, links=(*plan.tree.links, Link(link.second, link.first))))
+
+
+# The tree over the fleet.
+
+
+@breaks("grounding_impossible")
+def nothing_to_ground(plan: Plan) -> Iterator[Plan]:
+    for place, node in calls(plan):
+        yield with_nodes(plan, place, replace(node, routine="Juggle"))
+
+
+@breaks("grounding_differs")
+def label_changed(plan: Plan) -> Iterator[Plan]:
+    tree = grounded_tree(plan)
+    for place, node in enumerate(tree.nodes):
+        nodes = (*tree.nodes[:place], replace(node, label=node.label + "!"), *tree.nodes[place + 1 :])
+        yield with_grounded(plan, nodes=nodes)
+
+
+@breaks("grounding_differs")
+def node_dropped(plan: Plan) -> Iterator[Plan]:
+    yield with_grounded(plan, nodes=grounded_tree(plan).nodes[:-1])
+
+
+@breaks("grounding_differs")
+def link_dropped(plan: Plan) -> Iterator[Plan]:
+    links = grounded_tree(plan).links
+    for number in range(len(links)):
+        yield with_grounded(plan, links=without(links, number))
+
+
+@breaks("grounding_differs")
+def team_changed(plan: Plan) -> Iterator[Plan]:
+    roles = grounded_tree(plan).roles
+    for number, role in enumerate(roles):
+        yield with_grounded(plan, roles=(*roles[:number], replace(role, team=77), *roles[number + 1 :]))
+
+
+@breaks("grounding_notes_differ")
+def note_changed(plan: Plan) -> Iterator[Plan]:
+    assert plan.grounding is not None
+    for what in ("not_offered", "assumptions", "notices", "findings"):
+        notes = getattr(plan.grounding, what)
+        yield replace(plan, grounding=replace(plan.grounding, **{what: (*notes, WHY)}))
+        if notes:
+            yield replace(plan, grounding=replace(plan.grounding, **{what: notes[1:]}))
+
+
+@breaks("type_unknown")
+def type_misnamed(plan: Plan) -> Iterator[Plan]:
+    for leaf, _ in leaves(plan):
+        yield with_action(plan, leaf, robot_type="ghost")
+
+
+@breaks("capability_missing")
+def capability_lost(plan: Plan) -> Iterator[Plan]:
+    for leaf, _ in leaves(plan):
+        yield with_action(plan, leaf, capability="levitate")
+
+
+@breaks("capability_missing")
+def fleet_lost_capabilities(plan: Plan) -> Iterator[Plan]:
+    for kind in used_types(plan):
+        yield with_kind(plan, kind.id, capabilities={})
+
+
+@breaks("quality_differs")
+def quality_raised(plan: Plan) -> Iterator[Plan]:
+    for leaf, node in leaves(plan):
+        assert node.action is not None
+        estimate = replace(node.action.estimate, quality=node.action.estimate.quality + 0.25)
+        yield with_action(plan, leaf, estimate=estimate)
+
+
+@breaks("routine_not_followed")
+def action_renamed(plan: Plan) -> Iterator[Plan]:
+    for leaf, _ in leaves(plan):
+        yield with_action(plan, leaf, name="dance")
+
+
+@breaks("resource_excluded")
+def resource_withdrawn(plan: Plan) -> Iterator[Plan]:
+    for place, node in calls(plan):
+        yield with_nodes(plan, place, replace(node, resources=()))
+
+
+@breaks("kind_refused")
+def kinds_narrowed(plan: Plan) -> Iterator[Plan]:
+    for place in range(2):
+
+        def narrowed(routine: Routine, place: int = place) -> Routine:
+            if routine.parts:
+                return routine
+            if place == 0:
+                return replace(routine, arguments=tuple(replace(a, kinds=("spook",)) for a in routine.arguments))
+            accepts = {routine.arguments[0].name: ("spook",)}
+            return replace(routine, branches=tuple(replace(branch, accepts=accepts) for branch in routine.branches))
+
+        yield with_routines(plan, narrowed)
+
+
+@breaks("need_unmet")
+def needs_raised(plan: Plan) -> Iterator[Plan]:
+    def demanding(routine: Routine) -> Routine:
+        branches = tuple(
+            replace(
+                branch,
+                roles=tuple(
+                    replace(role, needs=(*role.needs, Need(capability=role.rating, at_least=99.0)))
+                    for role in branch.roles
+                ),
+            )
+            for branch in routine.branches
+        )
+        return replace(routine, branches=branches)
+
+    yield with_routines(plan, demanding)
+
+
+@breaks("need_unmet")
+def payload_lost(plan: Plan) -> Iterator[Plan]:
+    for kind in used_types(plan):
+        if "payload_kg" in kind.limits:
+            yield with_kind(plan, kind.id, limits={**kind.limits, "payload_kg": 1.0})
+
+
+@breaks("zone_forbidden")
+def zone_closed(plan: Plan) -> Iterator[Plan]:
+    scene = plan.brief.scene
+    if scene is None:
+        return
+    closed = replace(
+        scene,
+        zones=(Zone(id="shut"), Zone(id="open")),
+        places=tuple(replace(place, zone="shut") for place in scene.places),
+        entities=tuple(replace(entity, zone="shut") for entity in scene.entities),
+    )
+    types = tuple(replace(kind, zones=("open",)) for kind in plan.brief.fleet.types)
+    yield replace(plan, brief=replace(plan.brief, scene=closed, fleet=replace(plan.brief.fleet, types=types)))
+
+
+@breaks("action_differs")
+def action_altered(plan: Plan) -> Iterator[Plan]:
+    for leaf, node in leaves(plan):
+        assert node.action is not None
+        yield with_action(plan, leaf, duration_s=node.action.duration_s + 1.0)
+        yield with_action(
+            plan, leaf, at=None if node.action.at is not None else next(iter(plan.brief.world.by_id), "nowhere")
+        )
+        yield with_action(plan, leaf, uses={"sugar_kg": 1.0})
+
+
+# Alternatives.
+
+
+@breaks("choice_dangling")
+def choice_astray(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        for number, choice in enumerate(alternative.choices):
+            for wrong in (replace(choice, xor=9999), replace(choice, child=0), replace(choice, child=9999)):
+                choices = (*alternative.choices[:number], wrong, *alternative.choices[number + 1 :])
+                yield with_alternative(plan, place, choices=choices)
+
+
+@breaks("choice_missing")
+def choice_dropped(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        for number in range(len(alternative.choices)):
+            yield with_alternative(plan, place, choices=without(alternative.choices, number))
+
+
+@breaks("choice_double")
+def choice_doubled(plan: Plan) -> Iterator[Plan]:
+    tree = grounded_tree(plan)
+    for place, alternative in alternatives(plan):
+        for choice in alternative.choices:
+            for child in tree.children[choice.xor]:
+                yield with_alternative(plan, place, choices=(*alternative.choices, Choice(choice.xor, child)))
+
+
+@breaks("choice_unreached")
+def choice_elsewhere(plan: Plan) -> Iterator[Plan]:
+    tree = grounded_tree(plan)
+    xors = [node for node, value in enumerate(tree.nodes) if value.kind == "xor" and tree.children[node]]
+    for place, alternative in alternatives(plan):
+        chosen = {choice.xor for choice in alternative.choices}
+        for node in xors:
+            if node not in chosen:
+                extra = Choice(node, tree.children[node][0])
+                yield with_alternative(plan, place, choices=(*alternative.choices, extra))
+
+
+@breaks("choice_order")
+def choices_reversed(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        if len(alternative.choices) > 1:
+            yield with_alternative(plan, place, choices=alternative.choices[::-1])
+
+
+@breaks("role_type_missing")
+def role_type_dropped(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        for number in range(len(alternative.roles)):
+            yield with_alternative(plan, place, roles=without(alternative.roles, number))
+
+
+@breaks("role_type_extra")
+def role_type_added(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        for extra in (alternative.roles[0], RoleType(9999, alternative.roles[0].robot_type)):
+            yield with_alternative(plan, place, roles=(*alternative.roles, extra))
+
+
+@breaks("role_type_differs")
+def role_type_changed(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        for number, entry in enumerate(alternative.roles):
+            for type_id in (*plan.brief.fleet.by_id, "ghost"):
+                if type_id != entry.robot_type:
+                    roles = (
+                        *alternative.roles[:number],
+                        RoleType(entry.role, type_id),
+                        *alternative.roles[number + 1 :],
+                    )
+                    yield with_alternative(plan, place, roles=roles)
+
+
+@breaks("role_order")
+def roles_reversed(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        if len(alternative.roles) > 1:
+            yield with_alternative(plan, place, roles=alternative.roles[::-1])
+            yield with_schedule(plan, place, assignments=plan.schedules[place].assignments[::-1])
+
+
+@breaks("utility_wrong")
+def utility_changed(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        for shift in (-0.1, 0.1, 5e-6):
+            yield with_alternative(plan, place, utility=alternative.utility + shift)
+
+
+@breaks("utility_wrong")
+def weights_changed(plan: Plan) -> Iterator[Plan]:
+    yield replace(plan, brief=replace(plan.brief, weights=replace(plan.brief.weights, alpha=2.0)))
+
+
+@breaks("rank_wrong")
+def rank_changed(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        yield with_alternative(plan, place, rank=alternative.rank + 1)
+
+
+@breaks("ranking_unsorted")
+def neighbours_swapped(plan: Plan) -> Iterator[Plan]:
+    assert plan.ranking is not None
+    listed = plan.ranking.alternatives
+    for place in range(len(listed) - 1):
+        swapped = (replace(listed[place + 1], rank=place + 1), replace(listed[place], rank=place + 2))
+        yield with_ranking(plan, alternatives=(*listed[:place], *swapped, *listed[place + 2 :]))
+
+
+@breaks("alternative_double")
+def alternative_repeated(plan: Plan) -> Iterator[Plan]:
+    assert plan.ranking is not None
+    listed = plan.ranking.alternatives
+    for alternative in listed:
+        yield with_ranking(plan, alternatives=(*listed, replace(alternative, rank=len(listed) + 1)))
+
+
+@breaks("witness_incomplete")
+def witness_cut(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        witness = plan.schedules[place].assignments
+        for number in range(len(witness) if len(witness) > 1 else 0):
+            yield with_alternative(plan, place, witness=without(witness, number))
+        yield with_alternative(plan, place, witness=(*witness, Assignment(9999, witness[0].robot)))
+        yield with_alternative(plan, place, witness=(Assignment(witness[0].role, "ghost"), *witness[1:]))
+        assert alternative.rank == place + 1
+
+
+@breaks("witness_broken")
+def witness_of_wrong_type(plan: Plan) -> Iterator[Plan]:
+    fleet = plan.brief.fleet
+    for place, _ in alternatives(plan):
+        witness = plan.schedules[place].assignments
+        for number, entry in enumerate(witness):
+            for robot, kind in fleet.type_of.items():
+                if kind is not fleet.type_of[entry.robot]:
+                    changed = (*witness[:number], Assignment(entry.role, robot), *witness[number + 1 :])
+                    yield with_alternative(plan, place, witness=changed)
+
+
+@breaks("witness_broken")
+def witness_shares_robot(plan: Plan) -> Iterator[Plan]:
+    roles = grounded_tree(plan).roles
+    for place, _ in alternatives(plan):
+        witness = plan.schedules[place].assignments
+        for number, entry in enumerate(witness):
+            for other in witness[:number]:
+                if roles[other.role].team is not None and roles[other.role].team == roles[entry.role].team:
+                    changed = (*witness[:number], Assignment(entry.role, other.robot), *witness[number + 1 :])
+                    yield with_alternative(plan, place, witness=changed)
+
+
+@breaks("alternative_unstaffable")
+def too_few_robots(plan: Plan) -> Iterator[Plan]:
+    """A team of two of a type that has one robot left."""
+    for place, schedule in schedules(plan):
+        fleet, roles = plan.brief.fleet, grounded_tree(plan).roles
+        team = [fleet.type_of[entry.robot].id for entry in schedule.assignments if roles[entry.role].team is not None]
+        for type_id in {type_id for type_id in team if team.count(type_id) > 1}:
+            yield with_kind(with_alternative(plan, place, witness=()), type_id, count=1)
+
+
+@breaks("ranking_status_unfounded")
+def ranking_status_changed(plan: Plan) -> Iterator[Plan]:
+    assert plan.ranking is not None
+    yield with_ranking(plan, status="infeasible")
+    yield with_ranking(plan, status="unknown")
+    yield with_ranking(plan, alternatives=())
+    yield with_ranking(plan, certificate=replace(plan.ranking.certificate, claim="unproven"))
+
+
+@breaks("rank_unproven")
+def proof_withdrawn(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        for claim in ("bounded", "unproven"):
+            yield with_alternative(plan, place, certificate=replace(alternative.certificate, claim=claim))
+
+
+@breaks("bound_below_utility")
+def bound_lowered(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        certificate = replace(alternative.certificate, bound=alternative.utility - 0.5)
+        yield with_alternative(plan, place, certificate=certificate)
+
+
+@breaks("claim_refuted")
+def alternative_hidden(plan: Plan) -> Iterator[Plan]:
+    """A better alternative is left out and those below it move up, each still called proven."""
+    assert plan.ranking is not None
+    listed = plan.ranking.alternatives
+    for place in range(len(listed) - 1):
+        kept = [replace(one, rank=rank) for rank, one in enumerate(without(listed, place), start=1)]
+        yield with_ranking(plan, alternatives=tuple(kept))
+
+
+@breaks("claim_refuted")
+def called_infeasible(plan: Plan) -> Iterator[Plan]:
+    certificate = Certificate(claim="proven", method="hope")
+    plan = with_ranking(plan, alternatives=(), status="infeasible", certificate=certificate)
+    yield replace(plan, outcome="cannot_be_done", schedules=(), reasons=(WHY,))
+
+
+@breaks("claim_refuted")
+def bound_on_rest_lowered(plan: Plan) -> Iterator[Plan]:
+    assert plan.ranking is not None
+    if len(plan.ranking.alternatives) > 1:
+        cut = plan.ranking.alternatives[:1]
+        certificate = replace(plan.ranking.certificate, bound=plan.ranking.alternatives[1].utility - 0.01)
+        yield replace(with_ranking(plan, alternatives=cut, certificate=certificate), schedules=plan.schedules[:1])
+
+
+# Outcome.
+
+
+@breaks("nothing_delivered")
+def schedules_dropped(plan: Plan) -> Iterator[Plan]:
+    yield replace(plan, schedules=())
+    unknown = tuple(
+        Schedule(
+            rank=s.rank, status="unknown", certificate=Certificate(claim="unproven", method="none"), reasons=(WHY,)
+        )
+        for s in plan.schedules
+    )
+    yield replace(plan, schedules=unknown)
+    yield replace(plan, ranking=None)
+
+
+@breaks("delivered_unsaid")
+def outcome_changed(plan: Plan) -> Iterator[Plan]:
+    for outcome in ("cannot_be_done", "incomplete", "exhausted", "provider_failed"):
+        yield replace(plan, outcome=outcome, reasons=(WHY,))
+
+
+@breaks("reason_missing")
+def reasons_withheld(plan: Plan) -> Iterator[Plan]:
+    yield replace(plan, outcome="exhausted", schedules=(), ranking=None)
+    for place, _ in schedules(plan):
+        yield with_schedule(
+            plan, place, status="unknown", actions=(), legs=(), assignments=(), makespan_s=0.0, reasons=()
+        )
+
+
+@breaks("reason_uncalled")
+def reasons_added(plan: Plan) -> Iterator[Plan]:
+    yield replace(plan, reasons=(WHY,))
+
+
+@breaks("schedule_astray")
+def schedule_lost(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        yield replace(plan, schedules=without(plan.schedules, place))
+        yield with_schedule(plan, place, rank=schedule.rank + 7)
+    if len(plan.schedules) > 1:
+        yield replace(plan, schedules=plan.schedules[::-1])
+
+
+@breaks("schedule_not_empty")
+def schedule_disowned(plan: Plan) -> Iterator[Plan]:
+    for place, _ in schedules(plan):
+        for status in ("unknown", "infeasible"):
+            yield with_schedule(plan, place, status=status, reasons=(WHY,))
+
+
+# Who does what.
+
+
+@breaks("action_missing")
+def action_dropped(plan: Plan) -> Iterator[Plan]:
+    for place, schedule, number, _ in scheduled(plan):
+        yield with_schedule(plan, place, actions=without(schedule.actions, number))
+
+
+@breaks("action_extra")
+def action_added(plan: Plan) -> Iterator[Plan]:
+    for place, schedule, _, done in scheduled(plan):
+        chosen = {other.leaf for other in schedule.actions}
+        unchosen = next((leaf for leaf, _ in leaves(plan) if leaf not in chosen), 9999)
+        for leaf in (unchosen, 0, 9999):
+            yield with_schedule(plan, place, actions=(*schedule.actions, replace(done, leaf=leaf)))
+
+
+@breaks("action_double")
+def action_doubled(plan: Plan) -> Iterator[Plan]:
+    for place, schedule, _, done in scheduled(plan):
+        yield with_schedule(plan, place, actions=(*schedule.actions, done))
+
+
+@breaks("assignment_missing")
+def assignment_dropped(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        for number in range(len(schedule.assignments)):
+            yield with_schedule(plan, place, assignments=without(schedule.assignments, number))
+
+
+@breaks("assignment_extra")
+def assignment_added(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        for extra in (schedule.assignments[0], Assignment(9999, schedule.assignments[0].robot)):
+            yield with_schedule(plan, place, assignments=(*schedule.assignments, extra))
+
+
+@breaks("robot_unknown")
+def robot_misnamed(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, _ in scheduled(plan):
+        yield with_done(plan, place, number, robot="ghost")
+    for place, _, number, _ in travelled(plan):
+        yield with_leg(plan, place, number, robot="ghost")
+
+
+@breaks("robot_type_wrong")
+def robot_of_other_type(plan: Plan) -> Iterator[Plan]:
+    """The whole role is handed to a robot of another type, actions and legs with it."""
+    for place, schedule in schedules(plan):
+        for entry in schedule.assignments:
+            for robot, kind in plan.brief.fleet.type_of.items():
+                if kind is not plan.brief.fleet.type_of[entry.robot]:
+                    yield handed_over(plan, place, entry.role, robot)
+
+
+def handed_over(plan: Plan, place: int, role: int, robot: str) -> Plan:
+    """A role given to another robot in one schedule, with all that belongs to it."""
+    tree, schedule = grounded_tree(plan), plan.schedules[place]
+    own = {done.leaf for done in schedule.actions if tree.action(done.leaf).role == role}
+    return with_schedule(
+        plan,
+        place,
+        assignments=tuple(replace(e, robot=robot) if e.role == role else e for e in schedule.assignments),
+        actions=tuple(replace(done, robot=robot) if done.leaf in own else done for done in schedule.actions),
+        legs=tuple(replace(leg, robot=robot) if leg.leaf in own else leg for leg in schedule.legs),
+    )
+
+
+@breaks("action_robot_differs")
+def action_handed_over(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, done in scheduled(plan):
+        for robot in plan.brief.fleet.robots:
+            if robot != done.robot:
+                yield with_done(plan, place, number, robot=robot)
+
+
+@breaks("team_shares_robot")
+def team_in_one(plan: Plan) -> Iterator[Plan]:
+    roles = grounded_tree(plan).roles
+    for place, schedule in schedules(plan):
+        team = [entry for entry in schedule.assignments if roles[entry.role].team is not None]
+        for first, second in zip(team, team[1:], strict=False):
+            if roles[first.role].team == roles[second.role].team:
+                yield handed_over(plan, place, second.role, first.robot)
+
+
+def _linked_roles(plan: Plan, place: int, kind: str) -> Iterator[tuple[int, int]]:
+    """Roles below the two ends of the links of a kind, in a schedule."""
+    tree, assigned = grounded_tree(plan), {entry.role for entry in plan.schedules[place].assignments}
+    for link in tree.links:
+        if link.kind == kind:
+            sides = []
+            for end in (link.first, link.second):
+                source = tree.nodes[end].source
+                sides.append(
+                    [role for role, value in enumerate(tree.roles) if value.source == source and role in assigned]
+                )
+            yield from ((first, second) for first in sides[0] for second in sides[1])
+
+
+@breaks("same_robot_broken")
+def same_robot_split(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        held = {entry.role: entry.robot for entry in schedule.assignments}
+        for first, second in _linked_roles(plan, place, "same_robot"):
+            for robot in plan.brief.fleet.robots:
+                if robot != held[first]:
+                    yield handed_over(plan, place, second, robot)
+
+
+@breaks("different_robot_broken")
+def different_robot_joined(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        held = {entry.role: entry.robot for entry in schedule.assignments}
+        for first, second in _linked_roles(plan, place, "different_robot"):
+            yield handed_over(plan, place, second, held[first])
+
+
+# When.
+
+
+@breaks("time_off_grid")
+def time_between_ticks(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, done in scheduled(plan):
+        yield with_done(plan, place, number, end_s=done.end_s + 0.0004)
+    for place, _, number, leg in travelled(plan):
+        yield with_leg(plan, place, number, end_s=leg.end_s + 0.0004)
+
+
+def _until(plan: Plan, place: int) -> set[int]:
+    """Open-ended leaves below the first ends of until links."""
+    tree = grounded_tree(plan)
+    sources = {tree.nodes[link.first].source for link in tree.links if link.kind == "until"}
+    own = {done.leaf for done in plan.schedules[place].actions}
+    return {leaf for leaf in own if tree.action(leaf).open_ended and tree.nodes[leaf].source in sources}
+
+
+@breaks("duration_wrong")
+def action_shortened(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, done in scheduled(plan):
+        if not moves(plan, done.leaf) and done.leaf not in _until(plan, place) and done.end_s - done.start_s > 0.01:
+            yield with_done(plan, place, number, end_s=round(done.end_s - 0.005, 3))
+
+
+@breaks("duration_wrong")
+def action_stretched(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, done in scheduled(plan):
+        if not moves(plan, done.leaf) and done.leaf not in _until(plan, place):
+            yield with_done(plan, place, number, end_s=round(done.end_s + 0.005, 3))
+
+
+@breaks("joint_broken")
+def joint_shifted(plan: Plan) -> Iterator[Plan]:
+    tree = grounded_tree(plan)
+    for place, _, number, done in scheduled(plan):
+        if tree.action(done.leaf).sync is not None:
+            yield with_done(plan, place, number, start_s=done.start_s + 1, end_s=done.end_s + 1)
+            yield with_done(plan, place, number, end_s=done.end_s + 0.5)
+
+
+@breaks("schedule_unsorted")
+def listing_reversed(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        yield with_schedule(plan, place, actions=schedule.actions[::-1])
+        if len(schedule.legs) > 1:
+            yield with_schedule(plan, place, legs=schedule.legs[::-1])
+
+
+@breaks("role_out_of_order")
+def action_before_its_turn(plan: Plan) -> Iterator[Plan]:
+    """An action is put at the start of the one before it in its role."""
+    tree = grounded_tree(plan)
+    for place, schedule, number, done in scheduled(plan):
+        before = [
+            other
+            for other in schedule.actions
+            if other.leaf < done.leaf
+            and tree.action(other.leaf).role == tree.action(done.leaf).role
+            and other.end_s > other.start_s
+        ]
+        if before:
+            start_s = max(before, key=lambda other: other.leaf).start_s
+            length_s = done.end_s - done.start_s
+            yield with_done(plan, place, number, start_s=start_s, end_s=round(start_s + length_s, 3))
+
+
+@breaks("precedence_broken")
+def node_moved_to_the_start(plan: Plan) -> Iterator[Plan]:
+    """What a precedence names second starts at 0, with all its actions in their places relative to each other."""
+    assert plan.tree is not None
+    tree = grounded_tree(plan)
+    for place, schedule in schedules(plan):
+        for link in plan.tree.links:
+            later = {link.second, *(node.id for node in plan.tree.nodes if plan.tree.contains(link.second, node.id))}
+            own = [done for done in schedule.actions if tree.nodes[done.leaf].source in later]
+            first_s = min((done.start_s for done in own), default=0.0)
+            if link.kind == "precedence" and first_s > 1:
+                early = {
+                    done.leaf: replace(
+                        done, start_s=round(done.start_s - first_s, 3), end_s=round(done.end_s - first_s, 3)
+                    )
+                    for done in own
+                }
+                yield with_schedule(plan, place, actions=tuple(early.get(done.leaf, done) for done in schedule.actions))
+
+
+@breaks("until_broken")
+def open_end_missed(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, done in scheduled(plan):
+        if done.leaf in _until(plan, place):
+            for shift_s in (-1.0, 2.0):
+                yield with_done(plan, place, number, end_s=round(done.end_s + shift_s, 3))
+
+
+@breaks("robot_overlap")
+def two_roles_at_once(plan: Plan) -> Iterator[Plan]:
+    """A role goes to a robot of the same type that is busy with another role at that time."""
+    tree = grounded_tree(plan)
+    for place, schedule in schedules(plan):
+        for entry in schedule.assignments:
+            own = [
+                done
+                for done in schedule.actions
+                if tree.action(done.leaf).role == entry.role and done.end_s > done.start_s
+            ]
+            for other in schedule.actions:
+                meets = any(done.start_s < other.end_s and other.start_s < done.end_s for done in own)
+                if other.robot != entry.robot and meets and other.end_s > other.start_s:
+                    yield handed_over(plan, place, entry.role, other.robot)
+
+
+@breaks("holding_broken")
+def role_within_a_role(plan: Plan) -> Iterator[Plan]:
+    """The last action of a role is put off until the robot has done another role."""
+    tree = grounded_tree(plan)
+    for place, schedule in schedules(plan):
+        for entry in schedule.assignments:
+            role = [done for done in schedule.actions if tree.action(done.leaf).role == entry.role]
+            last = max(role, key=lambda done: done.leaf)
+            after = [
+                done.end_s
+                for done in schedule.actions
+                if done.robot == entry.robot
+                and done.start_s >= last.end_s
+                and done not in role
+                and done.end_s > done.start_s
+            ]
+            if len(role) > 1 and after:
+                number, start_s = schedule.actions.index(last), max(after)
+                end_s = round(start_s + last.end_s - last.start_s, 3)
+                yield with_done(plan, place, number, start_s=start_s, end_s=end_s)
+
+
+# Travel.
+
+
+@breaks("leg_missing")
+def leg_dropped(plan: Plan) -> Iterator[Plan]:
+    for place, schedule, number, leg in travelled(plan):
+        if leg.distance_m > 0.01:
+            yield with_schedule(plan, place, legs=without(schedule.legs, number))
+
+
+@breaks("leg_extra")
+def leg_added(plan: Plan) -> Iterator[Plan]:
+    for place, schedule, _, leg in travelled(plan):
+        yield with_schedule(plan, place, legs=(*schedule.legs, leg))
+        yield with_schedule(plan, place, legs=(*schedule.legs, replace(leg, leaf=0)))
+        yield with_schedule(plan, place, legs=(*schedule.legs, replace(leg, leaf=9999)))
+
+
+@breaks("leg_origin_wrong")
+def leg_from_elsewhere(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in travelled(plan):
+        yield with_leg(plan, place, number, origin=replace(leg.origin, x_m=leg.origin.x_m + 1))
+        yield with_leg(plan, place, number, origin=replace(leg.origin, floor="attic"))
+        yield with_leg(plan, place, number, origin=replace(leg.origin, frame="odom"))
+
+
+@breaks("leg_destination_wrong")
+def leg_to_elsewhere(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in travelled(plan):
+        yield with_leg(plan, place, number, destination=replace(leg.destination, y_m=leg.destination.y_m - 1))
+        if leg.origin != leg.destination:
+            yield with_leg(plan, place, number, destination=leg.origin)
+
+
+@breaks("leg_understated")
+def leg_shortened(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in travelled(plan):
+        if leg.distance_m > 0.01:
+            yield with_leg(plan, place, number, distance_m=leg.distance_m * 0.99)
+            yield with_leg(plan, place, number, distance_m=0.0)
+
+
+@breaks("leg_without_way")
+def leg_into_nowhere(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in travelled(plan):
+        yield with_leg(plan, place, number, destination=Position(leg.destination.x_m, leg.destination.y_m, "attic"))
+
+
+@breaks("leg_too_fast")
+def leg_hurried(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in travelled(plan):
+        if leg.end_s - leg.start_s > 0.01:
+            yield with_leg(plan, place, number, start_s=round(leg.end_s - (leg.end_s - leg.start_s) * 0.5, 3))
+
+
+@breaks("leg_too_fast")
+def fleet_slowed(plan: Plan) -> Iterator[Plan]:
+    for kind in used_types(plan):
+        if "max_speed_mps" in kind.limits and plan.schedules[0].legs:
+            speed = kind.limits["max_speed_mps"]
+            travels = any(
+                leg.distance_m > 0.1
+                for s in plan.schedules
+                for leg in s.legs
+                if plan.brief.fleet.type_of[leg.robot] is kind
+            )
+            if travels:
+                yield with_kind(plan, kind.id, limits={**kind.limits, "max_speed_mps": speed / 10})
+
+
+@breaks("leg_at_wrong_time")
+def leg_late(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in travelled(plan):
+        yield with_leg(plan, place, number, end_s=leg.end_s + 500)
+
+
+@breaks("leg_via_broken")
+def leg_through_nothing(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in travelled(plan):
+        yield with_leg(plan, place, number, via=("narnia",))
+        if len(leg.via) > 2:
+            yield with_leg(plan, place, number, via=leg.via[:1] + leg.via[2:])
+        if leg.via:
+            yield with_leg(plan, place, number, distance_m=leg.distance_m * 0.9)
+
+
+@breaks("move_too_short")
+def blind_move_hurried(plan: Plan) -> Iterator[Plan]:
+    for place, schedule, number, done in scheduled(plan):
+        legs = {(leg.robot, leg.leaf) for leg in schedule.legs}
+        if moves(plan, done.leaf) and (done.robot, done.leaf) not in legs and done.end_s - done.start_s > 1:
+            yield with_done(plan, place, number, end_s=round(done.end_s - 1, 3))
+
+
+# How much.
+
+
+@breaks("budget_exceeded")
+def budget_cut(plan: Plan) -> Iterator[Plan]:
+    for kind in used_types(plan):
+        if not kind.uses_per_m or not any(
+            plan.brief.fleet.type_of[leg.robot] is kind for s in plan.schedules for leg in s.legs
+        ):
+            continue
+        if kind.robots:
+            robots: tuple[Robot, ...] = tuple(replace(robot, remaining={"energy_j": 1.0}) for robot in kind.robots)
+            yield with_kind(plan, kind.id, robots=robots)
+        else:
+            yield with_kind(plan, kind.id, limits={**kind.limits, "energy_j": 1.0})
+
+
+@breaks("total_budget_exceeded")
+def total_budget_cut(plan: Plan) -> Iterator[Plan]:
+    for kind in used_types(plan):
+        if kind.uses_per_m and any(
+            plan.brief.fleet.type_of[leg.robot] is kind for s in plan.schedules for leg in s.legs
+        ):
+            yield with_kind(plan, kind.id, total_limits={"energy_j": 1.0})
+
+
+@breaks("makespan_wrong")
+def makespan_changed(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        for shift in (-0.5, 0.5):
+            yield with_schedule(plan, place, makespan_s=schedule.makespan_s + shift)
+
+
+@breaks("bound_above_makespan")
+def bound_raised(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        certificate = replace(schedule.certificate, bound=schedule.makespan_s + 1)
+        yield with_schedule(plan, place, certificate=certificate)
+
+
+@breaks("optimality_unfounded")
+def optimality_claimed(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        for certificate in (
+            replace(schedule.certificate, claim="bounded"),
+            replace(schedule.certificate, claim="proven", bound=schedule.makespan_s - 1),
+        ):
+            yield with_schedule(plan, place, status="optimal", certificate=certificate)
+
+
+@breaks("schedule_certificate_unfounded")
+def proof_of_the_merely_feasible(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        yield with_schedule(plan, place, status="feasible", certificate=replace(schedule.certificate, claim="proven"))
+        empty = replace(
+            schedule, actions=(), legs=(), assignments=(), makespan_s=0.0, reasons=(WHY,), status="infeasible"
+        )
+        plans = list(plan.schedules)
+        plans[place] = replace(empty, certificate=replace(schedule.certificate, claim="unproven"))
+        yield replace(plan, schedules=tuple(plans))
