@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 from hypothesis import strategies as st
@@ -13,7 +14,7 @@ from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, Gro
 from missiontree.mission.position import Position
 from missiontree.mission.routine import ActionStep, Argument, Branch, Need, Part, RoleSpec, Routine
 from missiontree.mission.scene import Area, Entity, KeepOut, OccupancyGrid, Road, RoadGraph, RoadNode, Scene, Zone
-from missiontree.mission.tree import Link, MissionNode, MissionTree
+from missiontree.mission.tree import LINK_KINDS, Gate, Link, MissionNode, MissionTree
 
 ids = st.from_regex(r"[A-Za-z][A-Za-z0-9_-]{0,8}", fullmatch=True)
 texts = st.text(st.characters(exclude_categories=("Cs", "Cc")), max_size=12).filter(lambda text: "\uffff" not in text)
@@ -56,7 +57,7 @@ def fleets(draw: st.DrawFn) -> Fleet:
                 capabilities=draw(st.dictionaries(ids, capabilities | numbers, max_size=3)),
                 limits=draw(tables),
                 uses_per_m=draw(tables),
-                zones=draw(st.none() | st.lists(ids, max_size=2)),
+                zones=draw(st.none() | st.lists(ids, max_size=2).map(tuple)),
                 count=None if named else draw(st.integers(1, 5)),
                 place=None if named else draw(maybe_ids),
                 robots=tuple(robots),
@@ -92,7 +93,7 @@ def scenes(draw: st.DrawFn) -> Scene:
     places = tuple(draw(entities(f"p-{name}", "place")) for name in names[:2])
     others = tuple(draw(entities(f"e-{name}", draw(kind))) for name in names[2:])
     nodes = tuple(RoadNode(id=f"n-{name}", position=Position(draw(signed), draw(signed))) for name in names)
-    roads = tuple(Road(ends=(a.id, b.id), one_way=draw(st.booleans())) for a, b in zip(nodes, nodes[1:], strict=False))
+    roads = tuple(Road(ends=(a.id, b.id), one_way=draw(st.booleans())) for a, b in pairwise(nodes))
     area = Area(corners=((0, 0), (1, 0), (0, 1)))
     cells = draw(st.integers(1, 4))
     grid = OccupancyGrid(
@@ -181,10 +182,11 @@ def mission_trees(draw: st.DrawFn) -> MissionTree:
             )
         )
     children = tuple(node.id for node in nodes)
-    gate = draw(st.sampled_from(["and", "xor"])) if children else None
+    gates: tuple[Gate, ...] = ("and", "xor")
+    gate = draw(st.sampled_from(gates)) if children else None
     root = MissionNode(id="root", label="root", gate=gate, children=children)
-    kind = st.sampled_from(["precedence", "same_robot", "different_robot", "until"])
-    links = [Link(a, b, draw(kind)) for a, b in zip(children, children[1:], strict=False)]
+    kind = st.sampled_from(LINK_KINDS)
+    links = [Link(a, b, draw(kind)) for a, b in pairwise(children)]
     cat = draw(entities("cat", "animal"))
     return MissionTree(objective=draw(texts), nodes=(root, *nodes), links=tuple(links), entities=(cat,))
 

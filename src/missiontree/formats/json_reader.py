@@ -63,7 +63,7 @@ def parse_json(text: str, source: str) -> Parsed:
     except ValueError:
         message = "a number has too many digits"
         raise InputError(message, file=source, accepted="numbers of at most 400 digits") from None
-    if _depth_exceeds(data, MAX_DEPTH):
+    if isinstance(data, dict | list) and _depth_exceeds(data, MAX_DEPTH):
         raise _too_deep(source)
     parsed = Parsed(data, source, _Lines(text))
     if _SUSPECT(text):
@@ -152,13 +152,9 @@ def _too_deep(source: str) -> InputError:
 
 def _depth_exceeds(data: Any, limit: int) -> bool:
     level = [data]
-    for _ in range(limit + 1):
-        level = [
-            child
-            for node in level
-            if isinstance(node, dict | list)
-            for child in (node.values() if isinstance(node, dict) else node)
-        ]
+    for _ in range(limit):
+        children = (child for node in level for child in (node.values() if isinstance(node, dict) else node))
+        level = [child for child in children if isinstance(child, dict | list)]
         if not level:
             return False
     return True
