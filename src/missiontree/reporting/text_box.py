@@ -1,0 +1,87 @@
+"""How much room words take: widths without a font at hand, and lines of bounded width."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Iterator
+from itertools import islice
+
+_WIDTHS = {
+    **dict.fromkeys("ijl.,:;'|!I() []f-`\"/\\t", 0.4),
+    **dict.fromkeys("rsczJ", 0.52),
+    **dict.fromkeys("mwMW%@&", 0.98),
+}
+_LOWER, _UPPER, _WIDE = 0.62, 0.74, 1.0
+ELLIPSIS = "…"
+
+
+def text_width(text: str, size: float) -> float:
+    """
+    Width of a line of text in a sans-serif font, rather too much than too little.
+
+    Parameters
+    ----------
+    text
+        One line.
+    size
+        Font size; the width is in the same unit.
+    """
+    return sum(_character_width(character) for character in text) * size
+
+
+def _character_width(character: str) -> float:
+    if (width := _WIDTHS.get(character)) is not None:
+        return width
+    if unicodedata.combining(character):
+        return 0.0
+    if unicodedata.east_asian_width(character) in "FW":
+        return _WIDE
+    return _UPPER if character.isupper() else _LOWER
+
+
+def wrapped(text: str, size: float, width: float, most_lines: int) -> list[str]:
+    """
+    Lines no wider than asked for, broken at blanks; words wider than a line are broken within.
+
+    Parameters
+    ----------
+    text
+        One line of words.
+    size
+        Font size.
+    width
+        Room for a line, at least some characters wide.
+    most_lines
+        If more lines are needed, the last one ends in an ellipsis.
+    """
+    lines = list(islice(_lines(text, size, width), most_lines + 1))
+    if len(lines) <= most_lines:
+        return lines
+    last = lines[most_lines - 1]
+    while last and text_width(last + ELLIPSIS, size) > width:
+        last = last[:-1]
+    return [*lines[: most_lines - 1], last + ELLIPSIS]
+
+
+def _lines(text: str, size: float, width: float) -> Iterator[str]:
+    line = ""
+    for piece in (piece for word in text.split() for piece in _pieces(word, size, width)):
+        longer = f"{line} {piece}" if line else piece
+        if line and text_width(longer, size) > width:
+            yield line
+            line = piece
+        else:
+            line = longer
+    yield line
+
+
+def _pieces(word: str, size: float, width: float) -> Iterator[str]:
+    """A word, cut where it is wider than a line."""
+    piece, room = "", width
+    for character in word:
+        taken = _character_width(character) * size
+        if piece and taken > room:
+            yield piece
+            piece, room = "", width
+        piece, room = piece + character, room - taken
+    yield piece
