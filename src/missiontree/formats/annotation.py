@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import MISSING, Field, fields, is_dataclass
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
@@ -76,11 +76,16 @@ def a_noun(cls: type[Any]) -> str:
     return f"{'an' if name[0] in 'aeiou' else 'a'} {name}"
 
 
-def in_words(annotation: Any) -> str:
-    """What is accepted where a field has this annotation."""
+def as_mapping(cls: type[Any]) -> str:
+    """A class as what is written for it."""
+    return f"a mapping with the fields {', '.join(hints_of(cls))}"
+
+
+def in_words(annotation: Any, of_class: Callable[[type[Any]], str] = as_mapping) -> str:
+    """What is accepted where a field has this annotation; ``of_class`` words the classes in it."""
     offered = arms(annotation)
     if len(offered) > 1:
-        return ", or ".join(in_words(arm) for arm in sorted(offered, key=is_value))
+        return ", or ".join(in_words(arm, of_class) for arm in sorted(offered, key=is_value))
     only = offered[0]
     if get_origin(only) is Annotated:
         return _constrained(*get_args(only))
@@ -89,14 +94,12 @@ def in_words(annotation: Any) -> str:
     if is_list(only):
         args = get_args(only)
         if args[-1] is Ellipsis:
-            return f"a list, each entry {in_words(args[0])}"
-        return f"a list of {len(args)}: {', '.join(in_words(arg) for arg in args)}"
+            return f"a list, each entry {in_words(args[0], of_class)}"
+        return f"a list of {len(args)}: {', '.join(in_words(arg, of_class) for arg in args)}"
     if is_mapping(only):
         key, value = get_args(only)
-        return f"a mapping, each key {in_words(key)}, each value {in_words(value)}"
-    if is_value(only):
-        return f"a mapping with the fields {', '.join(hints_of(only))}"
-    return _BASE.get(only, "a value")
+        return f"a mapping, each key {in_words(key, of_class)}, each value {in_words(value, of_class)}"
+    return of_class(only) if is_value(only) else _BASE.get(only, "a value")
 
 
 def _constrained(base: Any, *marks: Any) -> str:

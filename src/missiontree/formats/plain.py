@@ -10,7 +10,7 @@ from missiontree.formats.per_class import per_class
 from missiontree.mission.fleet import Capability
 
 _EXACT = 2**53
-_NO_DEFAULT = object()
+NO_DEFAULT = object()
 
 
 def to_plain(value: Any) -> Any:
@@ -37,20 +37,20 @@ def to_plain(value: Any) -> Any:
 
 def _fields(value: Any) -> dict[str, Any]:
     plain = {}
-    for name, default in _defaults(type(value)):
+    for name, default in defaults_of(type(value)):
         given = getattr(value, name)
-        if default is not _NO_DEFAULT and (given == default or (name == "label" and given == getattr(value, "id", ""))):
+        if default is not NO_DEFAULT and (given == default or (name == "label" and given == getattr(value, "id", ""))):
             continue
         plain[name] = to_plain(given)
     return plain
 
 
 @per_class
-def _defaults(cls: type[Any]) -> tuple[tuple[str, Any], ...]:
+def defaults_of(cls: type[Any]) -> tuple[tuple[str, Any], ...]:
     """Every field of a value with its default."""
     found = []
     for field in fields(cls):
-        default: Any = _NO_DEFAULT
+        default: Any = NO_DEFAULT
         if field.default is not MISSING:
             default = field.default
         elif field.default_factory is not MISSING:

@@ -19,6 +19,7 @@ def schema_of(cls: type[Any], kind: str) -> dict[str, Any]:
     for name, definition in schema.get("$defs", {}).items():
         _explain(definition, by_name[name])
     _explain(schema, cls)
+    _close_mappings(schema)
     head = {
         "format": {
             "const": f"{kind}/1",
@@ -52,3 +53,16 @@ def _explain(definition: dict[str, Any], cls: type[Any]) -> None:
         field.pop("title", None)
         if meaning := about.fields.get(name):
             field["description"] = meaning
+
+
+def _close_mappings(schema: dict[str, Any]) -> None:
+    """Refuse keys that do not match the pattern of a mapping's keys, which JSON Schema lets pass unless told."""
+    waiting: list[Any] = [schema]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, dict):
+            if "patternProperties" in node:
+                node["additionalProperties"] = False
+            waiting.extend(node.values())
+        elif isinstance(node, list):
+            waiting.extend(node)

@@ -1,0 +1,48 @@
+"""Mission files and routine files: what they hold, and when they hold too little."""
+
+import pytest
+
+from missiontree.formats.document import read_text
+from missiontree.formats.mission_file import MissionFile
+from missiontree.formats.routine_file import RoutineFile
+from missiontree.mission.estimate import Weights
+from missiontree.mission.scene import Entity
+
+TEXT = """
+mission: Bring the crate to the dock   # no quotes needed
+fleet: fleet.yaml
+routines: [routines.yaml]
+entities:
+- {id: crate, kind: object, mass_kg: 12}
+weights: {beta: 0.01}
+k: 2
+"""
+
+
+def test_a_mission_file_is_read() -> None:
+    assert read_text(TEXT, "mission") == MissionFile(
+        mission="Bring the crate to the dock",
+        fleet="fleet.yaml",
+        routines=("routines.yaml",),
+        entities=(Entity(id="crate", mass_kg=12),),
+        weights=Weights(beta=0.01),
+        k=2,
+    )
+
+
+def test_a_mission_file_needs_words_or_a_tree() -> None:
+    assert MissionFile(tree="tree.json").mission == ""
+    with pytest.raises(ValueError, match="needs a mission in words, or the path of a tree"):
+        MissionFile(mission="  ")
+
+
+def test_a_mission_file_has_each_entity_once() -> None:
+    with pytest.raises(ValueError, match="entity 'a' stands twice"):
+        MissionFile(mission="Go", entities=(Entity(id="a"), Entity(id="a")))
+
+
+def test_a_routine_file_may_build_on_routines_that_are_elsewhere() -> None:
+    text = "routines: [{id: Fetch, purpose: Fetch it, arguments: [{name: agent, kinds: [object]}], parts: [{routine: Search}]}]"
+    assert [routine.id for routine in read_text(text, "routines").routines] == ["Fetch"]
+    with pytest.raises(ValueError, match="at least one routine"):
+        RoutineFile(routines=())
