@@ -1,0 +1,178 @@
+"""What is going to be built, before it is built: tasks and routines in order, and what links them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from missiontree.authoring.methods import Method, Step
+from missiontree.authoring.reading_entities import Mention, title
+from missiontree.mission.routine import Routine, RoutineLibrary
+from missiontree.mission.tree import Gate, LinkKind
+
+Bindings = Mapping[str, tuple[Mention, ...]]
+
+
+@dataclass(eq=False)
+class Piece:
+    """A task with pieces below it, or a routine with its arguments."""
+
+    label: str
+    routine: Routine | None = None
+    mentions: tuple[Mention, ...] = ()
+    pieces: list[Piece] = field(default_factory=list)
+    gate: Gate = "and"
+
+    @property
+    def leaves(self) -> Iterator[Piece]:
+        """The routines of the piece, in order."""
+        waiting = [self]
+        while waiting:
+            piece = waiting.pop()
+            if piece.routine is not None:
+                yield piece
+            waiting.extend(reversed(piece.pieces))
+
+    @property
+    def call(self) -> tuple[str, tuple[str, ...]]:
+        """Routine and names, for comparing."""
+        assert self.routine is not None
+        return self.routine.id, tuple(mention.name for mention in self.mentions)
+
+    def finds(self, name: str, library: RoutineLibrary) -> bool:
+        """Whether the routine searches for somebody."""
+        assert self.routine is not None
+        arguments = [argument.name for argument in self.routine.arguments]
+        found = found_by(self.routine, library)
+        return any(
+            mention.name == name
+            for argument, mention in zip(arguments, self.mentions, strict=False)
+            if argument in found
+        )
+
+    def open_ended(self, library: RoutineLibrary) -> bool:
+        """Whether a routine of the piece has no end of its own."""
+        return any(_open_ended(leaf.routine, library) for leaf in self.leaves if leaf.routine is not None)
+
+
+@dataclass
+class Outline:
+    """Pieces below the objective, and links among all pieces."""
+
+    pieces: list[Piece] = field(default_factory=list)
+    links: list[tuple[Piece, Piece, LinkKind]] = field(default_factory=list)
+
+    def link(self, first: Piece, second: Piece, kind: LinkKind = "precedence") -> None:
+        """Link two pieces once."""
+        if first is not second and (first, second, kind) not in self.links:
+            self.links.append((first, second, kind))
+
+
+class StepError(Exception):
+    """A method's step cannot be built with these routines; carries the sentence."""
+
+
+def outline_of(method: Method, bindings: Bindings, library: RoutineLibrary) -> Outline:
+    """
+    The steps of a method with its slots filled. A step whose slot holds several is built for each of them; for none, it is left out.
+
+    Raises
+    ------
+    StepError
+        If a step names a routine that is not on offer, or gives it the wrong number of arguments.
+    """
+    built = Outline()
+    named: dict[str, list[tuple[frozenset[str], Piece]]] = {}
+    waiting: list[tuple[Step, Piece]] = []
+    for step in method.steps:
+        built.pieces += _build(step, bindings, library, named, waiting)
+    for step, piece in waiting:
+        for earlier in step.after:
+            for _, other in _alike(named.get(earlier, []), piece):
+                built.link(other, piece)
+        if step.until:
+            for _, other in named.get(step.until, []):
+                built.link(piece, other, "until")
+    return built
+
+
+def _build(
+    step: Step,
+    bindings: Bindings,
+    library: RoutineLibrary,
+    named: dict[str, list[tuple[frozenset[str], Piece]]],
+    waiting: list[tuple[Step, Piece]],
+) -> list[Piece]:
+    if step.unless_known and all(mention.known and not mention.lost for mention in bindings[step.unless_known]):
+        return []
+    pieces = [_leaf(step, mentions, library) for mentions in _rows(step.arguments, bindings)] if step.do else []
+    if step.task:
+        task = Piece(title(fill(step.task, bindings)), gate=step.gate)
+        for below in step.steps:
+            task.pieces += _build(below, bindings, library, named, waiting)
+        pieces = [task] if task.pieces else []
+    for piece in pieces:
+        waiting.append((step, piece))
+        if step.name:
+            about = frozenset(mention.name for leaf in piece.leaves for mention in leaf.mentions)
+            named.setdefault(step.name, []).append((about, piece))
+    return pieces
+
+
+def _leaf(step: Step, mentions: tuple[Mention, ...], library: RoutineLibrary) -> Piece:
+    routine = library.find(step.routine)
+    if routine is None:
+        raise StepError(f"the method uses routine {step.routine}, which is not on offer")
+    if len(routine.arguments) != len(mentions):
+        raise StepError(
+            f"the method gives routine {routine.id} {len(mentions)} arguments; it takes {len(routine.arguments)}"
+        )
+    return leaf_of(routine, mentions)
+
+
+def leaf_of(routine: Routine, mentions: tuple[Mention, ...]) -> Piece:
+    """A routine about somebody."""
+    return Piece(f"{routine.id}({', '.join(mention.label for mention in mentions)})", routine, mentions)
+
+
+def _rows(slots: tuple[str, ...], bindings: Bindings) -> Iterable[tuple[Mention, ...]]:
+    """The arguments, once for each of several in a slot."""
+    rows: list[tuple[Mention, ...]] = [()]
+    for slot in slots:
+        rows = [(*row, mention) for row in rows for mention in bindings[slot]]
+    return rows
+
+
+def _alike(named: list[tuple[frozenset[str], Piece]], piece: Piece) -> list[tuple[frozenset[str], Piece]]:
+    """Of an earlier step built several times, the pieces that are about the same as this one; all if none is."""
+    about = {mention.name for leaf in piece.leaves for mention in leaf.mentions}
+    same = [entry for entry in named if entry[0] & about]
+    return same or named
+
+
+def fill(template: str, bindings: Bindings) -> str:
+    """The template with its slots filled: ``{lost}``, ``{the lost}``, ``{full lost}``, ``{the full lost}``."""
+    for slot, mentions in bindings.items():
+        for form in ("", "the ", "full ", "the full "):
+            if f"{{{form}{slot}}}" in template:
+                words = [m.full if "full" in form else m.label for m in mentions]
+                texts = [
+                    f"the {word}" if "the" in form and m.determined else word
+                    for word, m in zip(words, mentions, strict=True)
+                ]
+                template = template.replace(f"{{{form}{slot}}}", " and ".join(texts))
+    return template
+
+
+def found_by(routine: Routine, library: RoutineLibrary) -> frozenset[str]:
+    """Arguments whose position is known once the routine is done."""
+    found = {step.finds for branch in routine.branches for role in branch.roles for step in role.actions if step.finds}
+    for part in routine.parts:
+        inner = library.by_id[part.routine]
+        found |= {part.arguments.get(name, name) for name in found_by(inner, library)}
+    return frozenset(found)
+
+
+def _open_ended(routine: Routine, library: RoutineLibrary) -> bool:
+    own = any(step.open_ended for branch in routine.branches for role in branch.roles for step in role.actions)
+    return own or any(_open_ended(library.by_id[part.routine], library) for part in routine.parts)

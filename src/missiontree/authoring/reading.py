@@ -1,0 +1,266 @@
+"""A mission text to its clauses: one goal each, joined by *and*, *then*, *before*, *while* ... In one pass over the words."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+from missiontree.authoring.lexicon import Lexicon, Verb
+
+Relation = Literal["start", "and", "then", "meanwhile", "before", "after", "while", "until", "shares"]
+MAX_WORDS = 1000
+MAX_CLAUSE_WORDS = 60
+_WORD = re.compile(r"\w+(?:['\-.,:]\w+)*|\S")
+_QUOTES = str.maketrans(
+    {"’": "'", "‘": "'", "“": " ", "”": " ", '"': " ", "„": " ", "«": " ", "»": " ", "‐": "-", "‑": "-"}
+)
+_STOPS = frozenset(".!?;:")
+_AUXILIARIES = frozenset({"is", "are", "be", "gets", "been"})
+_SUBORDINATE = frozenset({"before", "after", "while", "until"})
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A word as it is written, and in small letters."""
+
+    text: str
+    low: str
+
+
+@dataclass(frozen=True, slots=True)
+class Clause:
+    """
+    A part of the mission that asks for one thing.
+
+    Parameters
+    ----------
+    words
+        Its words from the verb on, or all of them if no verb is understood.
+    verb
+        The verb it begins with; None if none is understood.
+    relation
+        How it is joined to ``anchor``: itself *before*, *after*, *while* ... the other says so. ``shares``: it has no object of its
+        own and takes that of the clause behind it.
+    anchor
+        Index of the clause it is joined to; None if to none.
+    passed_over
+        Words that change nothing, left out of ``words``.
+    decisive
+        Words that change what is asked for; if there are any, the clause is not understood.
+    """
+
+    words: tuple[Word, ...]
+    verb: Verb | None = None
+    relation: Relation = "start"
+    anchor: int | None = None
+    passed_over: tuple[str, ...] = ()
+    decisive: tuple[str, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The words as they were written."""
+        return " ".join(word.text for word in self.words)
+
+
+def words_of_text(text: str) -> tuple[Word, ...]:
+    """The words and signs of a text; look-alike signs made alike, quotation marks left out."""
+    plain = unicodedata.normalize("NFC", text).translate(_QUOTES)
+    return tuple(Word(word, word.lower()) for word in _WORD.findall(plain))
+
+
+def clauses_of(words: tuple[Word, ...], lexicon: Lexicon) -> tuple[Clause, ...]:
+    """The clauses of a text, in the order in which they are written."""
+    return _Splitter(words, lexicon).split()
+
+
+@dataclass
+class _Splitter:
+    """Walks over the words once. ``held`` are the words of the clause under way."""
+
+    words: tuple[Word, ...]
+    lexicon: Lexicon
+    done: list[Clause] = field(default_factory=list)
+    held: list[Word] = field(default_factory=list)
+    relation: Relation = "start"
+    anchor: int | None = None
+    leading: bool = False  # the clause under way is subordinate and its main clause comes behind it
+    main: int | None = None  # index of the last main clause
+
+    def split(self) -> tuple[Clause, ...]:
+        lows = [word.low for word in self.words]
+        place = 0
+        while place < len(lows):
+            place += self._step(lows, place)
+        self._close("start")
+        return tuple(self.done)
+
+    def _step(self, lows: list[str], place: int) -> int:
+        """Take what stands at a place; return how many words that was."""
+        if lows[place] in _STOPS:
+            self._close("start")
+            return 1
+        if (joined := self.lexicon.joins.at(lows, place)) is not None and self._joins(lows, place, *joined):
+            return joined[1]
+        if lows[place] in {"and", ","}:
+            return self._comma_or_and(lows, place)
+        self.held.append(self.words[place])
+        return 1
+
+    def _joins(self, lows: list[str], place: int, relation: str, length: int) -> bool:
+        if relation == "first":
+            return not self.held
+        if relation == "then" and lows[place] == "next" and lows[place + 1 : place + 2] == ["to"]:
+            return False
+        if relation in {"then", "meanwhile"}:
+            self._close("then" if relation == "then" else "meanwhile")
+            return True
+        self._subordinate(relation)  # type: ignore[arg-type]  # the four that are left
+        return True
+
+    def _subordinate(self, relation: Relation) -> None:
+        if self.held:
+            self._close(relation)
+            self.anchor = self.main
+        else:
+            self.relation, self.leading = relation, True
+
+    def _comma_or_and(self, lows: list[str], place: int) -> int:
+        behind = place + 1
+        while behind < len(lows) and lows[behind] in {"and", ","}:
+            behind += 1
+        if self.lexicon.joins.at(lows, behind) is not None and not self._is_first(lows, behind):
+            return behind - place
+        if self.leading and lows[place] == "," and self.held:
+            self._close("start")
+            return behind - place
+        if self.held and self._one_verb(lows, place):
+            self.held.append(self.words[place])
+            return 1
+        if self.held and self._verb_follows(lows, behind):
+            alone = (verb := self._verb_of(self.held)) is not None and verb.length == len(self.held)
+            self._close("and", shares=alone)
+            return behind - place
+        if self.held:
+            self.held.extend(self.words[place:behind])
+        return behind - place
+
+    def _one_verb(self, lows: list[str], place: int) -> bool:
+        """Whether the *and* stands inside one verb, as in "find and follow"."""
+        verb = self._verb_of(self.held)
+        if verb is None or not (len(self.held) >= verb.length) or lows[place] != "and":
+            return False
+        start = place - verb.length
+        longer = self.lexicon.verb_at(lows, start, verb.form) if start >= 0 else None
+        return longer is not None and longer.length > verb.length
+
+    def _is_first(self, lows: list[str], place: int) -> bool:
+        joined = self.lexicon.joins.at(lows, place)
+        return joined is not None and joined[0] == "first"
+
+    def _verb_follows(self, lows: list[str], place: int) -> bool:
+        while (hit := self.lexicon.passed_over.at(lows, place)) is not None:
+            place += hit[1]
+        if (hit := self.lexicon.openings.at(lows, place)) is not None:
+            place += hit[1]
+        gerunds = (verb := self._verb_of(self.held)) is not None and verb.form == "gerund"
+        return self.lexicon.verb_at(lows, place, *(("gerund",) if gerunds else ("base",))) is not None
+
+    def _verb_of(self, words: list[Word]) -> Verb | None:
+        kept, _ = _without_openings(words, self.lexicon)
+        return self.lexicon.verb_at([word.low for word in kept], 0, "base", "gerund")
+
+    def _close(self, following: Relation, *, shares: bool = False) -> None:
+        """End the clause under way; the next one is joined to it by ``following``."""
+        if self.held and _says_something(self.held, self.lexicon):
+            clause = _finished(tuple(self.held), self.lexicon)
+            index = len(self.done)
+            anchor = index + 1 if self.leading or shares else self.anchor
+            self.done.append(replace(clause, relation="shares" if shares else self.relation, anchor=anchor))
+            if not self.leading and self.relation not in _SUBORDINATE:
+                self.main = index
+        elif following in {"start", "and"}:
+            self.held = []
+            return
+        self.held = []
+        inherits = (
+            following == "and"
+            and self.done
+            and self._gerund(self.done[-1])
+            and self.relation in _SUBORDINATE
+            and not self.leading
+        )
+        if not inherits and not shares:
+            self.relation, self.anchor = following, self.main if following in {"then", "and", "meanwhile"} else None
+        self.leading = False
+
+    @staticmethod
+    def _gerund(clause: Clause) -> bool:
+        return clause.verb is not None and clause.verb.form == "gerund"
+
+
+def _says_something(words: list[Word], lexicon: Lexicon) -> bool:
+    """Whether there is more than "hello" or "your mission is to"."""
+    lows, place = [word.low for word in words], 0
+    while place < len(lows):
+        hit = lexicon.passed_over.at(lows, place) or lexicon.openings.at(lows, place)
+        if hit is None and lows[place] != ",":
+            return True
+        place += hit[1] if hit else 1
+    return False
+
+
+def _finished(words: tuple[Word, ...], lexicon: Lexicon) -> Clause:
+    lows = [word.low for word in words]
+    decisive = tuple(phrase for phrase, _, _ in lexicon.decisive.within(lows))
+    kept, passed = _without_openings(list(words), lexicon)
+    kept, more = _without_passed_over(kept, lexicon)
+    while kept and kept[-1].low == ",":
+        kept.pop()
+    kept, _ = _without_openings(kept, lexicon)
+    kept = _active(kept, lexicon)
+    verb = lexicon.verb_at([word.low for word in kept], 0, "base", "gerund")
+    return Clause(words=tuple(kept), verb=verb, passed_over=(*passed, *more), decisive=decisive)
+
+
+def _without_openings(words: list[Word], lexicon: Lexicon) -> tuple[list[Word], tuple[str, ...]]:
+    """The words behind "please", "the robots should" and the like, if a verb follows; else all of them."""
+    lows, start, passed = [word.low for word in words], 0, []
+    while start < len(lows):
+        if (hit := lexicon.passed_over.at(lows, start)) is not None:
+            passed.append(hit[0])
+        elif (hit := lexicon.openings.at(lows, start)) is None and lows[start] == ",":
+            hit = (",", 1)
+        if hit is None:
+            break
+        start += hit[1]
+    if lexicon.verb_at(lows, start, "base", "gerund") is not None:
+        return words[start:], tuple(passed)
+    return words, ()
+
+
+def _without_passed_over(words: list[Word], lexicon: Lexicon) -> tuple[list[Word], tuple[str, ...]]:
+    lows, kept, passed, place = [word.low for word in words], [], [], 0
+    while place < len(words):
+        if (hit := lexicon.passed_over.at(lows, place)) is not None:
+            passed.append(hit[0])
+            place += hit[1]
+        else:
+            kept.append(words[place])
+            place += 1
+    return kept, tuple(passed)
+
+
+def _active(words: list[Word], lexicon: Lexicon) -> list[Word]:
+    """Turn "the forklift is found" into "find the forklift"; other words stay as they are."""
+    lows = [word.low for word in words]
+    for place in range(1, min(len(lows), MAX_CLAUSE_WORDS)):
+        if lows[place] not in _AUXILIARIES:
+            continue
+        behind = place + 1 + (lows[place + 1 : place + 2] == ["been"])
+        if (verb := lexicon.verb_at(lows, behind, "past")) is not None:
+            subject = words[: place - (lows[place - 1] in {"has", "have", "must", "should", "shall"})]
+            active = [Word(part, part) for part in verb.phrase.split()]
+            return [*active, *subject, *words[behind + verb.length :]]
+    return words

@@ -1,0 +1,250 @@
+"""Noun phrases: "her lost child", "the cat trapped in a building on fire", "room 12", "Anna's keys"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+from missiontree.authoring.kinds import kind_of
+from missiontree.authoring.lexicon import Lexicon
+from missiontree.authoring.reading import Word
+
+MAX_NAME_WORDS = 5
+MAX_PHRASE_WORDS = 24
+
+
+@dataclass(frozen=True, slots=True)
+class Phrase:
+    """
+    Somebody or something that is spoken of.
+
+    Parameters
+    ----------
+    name
+        What it is called, without article, states and descriptions: ``child``, ``red ball``, ``room 12``.
+    determined
+        Whether it stands with an article or a possessive; a bare "mom" is a name.
+    states
+        Words such as ``lost`` or ``heavy``, which are not part of what it is called.
+    description
+        What is said of it behind the noun: ``trapped in a building on fire``.
+    pronoun
+        ``thing``, ``person``, ``several`` or ``place`` if it is a pronoun; empty if it is not.
+    lost
+        Whether the words say that nobody knows where it is, or that it cannot come by itself.
+    text
+        As it was written.
+    """
+
+    name: str
+    text: str
+    determined: bool = False
+    states: tuple[str, ...] = ()
+    description: str = ""
+    pronoun: str = ""
+    lost: bool = False
+
+    @property
+    def full(self) -> str:
+        """The name with its states."""
+        return " ".join((*self.states, self.name))
+
+
+class PhraseReader:
+    """Reads noun phrases strictly: a word that may mean something else makes it no phrase at all."""
+
+    def __init__(self, lexicon: Lexicon, known_names: frozenset[str] = frozenset()) -> None:
+        self._lexicon = lexicon
+        self._known = known_names
+        self._small = lexicon.words
+        self._determiners = lexicon.table("determiners")
+        self._read = lru_cache(maxsize=4096)(self._one)
+
+    def phrases(self, words: Sequence[Word]) -> tuple[Phrase, ...] | None:
+        """The phrases that the words are, joined by commas and *and*; None if they are not wholly phrases."""
+        if not words or len(words) > MAX_PHRASE_WORDS * 4:
+            return None
+        if (whole := self._whole_name(tuple(words))) is not None:
+            return (whole,)
+        read = [self._read(part) for part in _parts(words)]
+        return tuple(phrase for phrase in read if phrase is not None) if None not in read else None
+
+    def _whole_name(self, words: tuple[Word, ...]) -> Phrase | None:
+        """A name that the scene knows may hold any words."""
+        start = 1 if len(words) > 1 and words[0].low in self._small["determiners"] else 0
+        name = " ".join(word.low for word in words[start:])
+        if name not in self._known:
+            return None
+        return Phrase(name=" ".join(w.text for w in words[start:]), text=_text(words), determined=start > 0)
+
+    def _one(self, words: tuple[Word, ...]) -> Phrase | None:
+        if not words or len(words) > MAX_PHRASE_WORDS:
+            return None
+        if (known := self._whole_name(words)) is not None:
+            return known
+        pronouns: dict[str, str] = self._lexicon.small["pronouns"]
+        if len(words) == 1 and words[0].low in pronouns:
+            return Phrase(name=words[0].low, text=words[0].text, pronoun=pronouns[words[0].low])
+        start = self._determiner(words)
+        end = self._end_of_name(words, start)
+        states, name = self._states(words[start:end])
+        behind = words[end:]
+        if not self._is_name(name) or not self._is_description(behind):
+            return None
+        return Phrase(
+            name=_text(name),
+            text=_text(words),
+            determined=start > 0 or "'" in name[0].text,
+            states=tuple(word.low for word in states),
+            description=_text(behind),
+            lost=any(word.low in self._small["lost"] for word in (*states, *behind)),
+        )
+
+    def _determiner(self, words: tuple[Word, ...]) -> int:
+        hit = self._determiners.at([word.low for word in words[:3]], 0)
+        return hit[1] if hit is not None and hit[1] < len(words) else 0
+
+    def _end_of_name(self, words: tuple[Word, ...], start: int) -> int:
+        """Index of the first word behind the name."""
+        for place in range(start + 1, len(words)):
+            low, before = words[place].low, words[place - 1].low
+            if low in self._small["describing"] or low in self._small["relatives"] or low == "next":
+                return place
+            state = low in self._small["lost"] or low in self._small["states"]
+            if state and before not in self._small["lost"] and before not in self._small["states"]:
+                return place
+            if kind_of(before) is not None and self._is_participle(low):
+                return place
+        return len(words)
+
+    def _is_participle(self, low: str) -> bool:
+        """Whether a word is what somebody is doing: "walking", and neither "building" nor "bring"."""
+        noun = kind_of(low) is not None or low in self._known
+        return low.endswith("ing") and len(low) > 4 and not noun and self._lexicon.verb_at([low], 0, "base") is None
+
+    def _states(self, words: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Word, ...]]:
+        count = 0
+        while count < len(words) - 1 and (
+            words[count].low in self._small["lost"]
+            or words[count].low in self._small["states"]
+            or words[count].low == ","
+        ):
+            count += 1
+        return tuple(word for word in words[:count] if word.low != ","), words[count:]
+
+    def _is_name(self, words: tuple[Word, ...]) -> bool:
+        if not 1 <= len(words) <= MAX_NAME_WORDS:
+            return False
+        lows = [word.low for word in words]
+        known = self._known_words(lows)
+        for place, low in enumerate(lows):
+            if known[place]:
+                continue
+            follows_known = place + 1 < len(lows) and known[place + 1]
+            if not self._may_be_named(low, place, len(lows), modifies=follows_known):
+                return False
+            verb = self._lexicon.verb_at(lows, place, "base", "past")
+            if place > 0 and verb is not None and words[place].text[:1].islower():
+                return False
+        whole_known = kind_of(" ".join(lows)) is not None
+        proper = words[-1].text[:1].isupper() or any(letter.isdigit() for letter in lows[-1])
+        return known[-1] or whole_known or proper or not any(known[:-1])
+
+    def _known_words(self, lows: list[str]) -> list[bool]:
+        """Which words are known nouns, or parts of known compounds such as "assembly point"."""
+        known = [kind_of(low) is not None or low in self._known for low in lows]
+        for end in range(len(lows)):
+            for width in (2, 3):
+                if (
+                    not known[end]
+                    and width <= end + 1
+                    and kind_of(" ".join(lows[end + 1 - width : end + 1])) is not None
+                ):
+                    known[end + 1 - width : end + 1] = [True] * width
+        return known
+
+    def _may_be_named(self, low: str, place: int, count: int, *, modifies: bool) -> bool:
+        small = self._small
+        refused = (
+            "function_words",
+            "quantities",
+            "times",
+            "determiners",
+            "decisive",
+            "passed_over",
+            "describing",
+            "relatives",
+        )
+        if any(low in small[name] for name in refused) or low in small["pronouns"]:
+            return False
+        if low[0].isdigit():
+            return low.isalnum() and 0 < place == count - 1
+        adverb = low.endswith("ly") and len(low) > 4 and not modifies
+        return low[0].isalpha() and not adverb
+
+    def _is_description(self, words: tuple[Word, ...]) -> bool:
+        """Whether the words only describe: no quantity, no time, nothing that stands by itself."""
+        if not words:
+            return True
+        small, lows = self._small, [word.low for word in words]
+        if len(words) == 1 and lows[0] in small["describing"] | small["relatives"]:
+            return False
+        states = small["lost"] | small["states"]
+        for place, low in enumerate(lows):
+            if low in small["quantities"] or low in small["times"] or low in small["decisive"]:
+                return False
+            if low in {
+                "to",
+                "into",
+                "onto",
+                "for",
+                "by",
+                "toward",
+                "towards",
+                "then",
+                "as",
+                "back",
+                "during",
+                "within",
+                "through",
+                "via",
+            }:
+                return False
+            if not (low[0].isalnum() or low in {",", "'"}):
+                return False
+            if low[0].isdigit() and (place == 0 or lows[place - 1] in small["describing"] or place != len(lows) - 1):
+                return False
+            if low.endswith("ly") and len(low) > 4 and kind_of(low) is None:
+                return False
+        last = lows[-1]
+        return (
+            last not in small["describing"]
+            and last not in small["relatives"]
+            and (last not in small["determiners"] or last in states)
+        )
+
+
+def is_plural(name: str) -> bool:
+    """Whether the noun looks like more than one."""
+    last = name.lower().split()[-1]
+    return last in {"people", "men", "women", "children", "mice", "geese"} or (
+        last.endswith("s") and not last.endswith(("ss", "us", "is"))
+    )
+
+
+def _parts(words: Sequence[Word]) -> Iterator[tuple[Word, ...]]:
+    """Split at commas and *and*; commas between adjectives stay."""
+    part: list[Word] = []
+    for word in words:
+        if word.low in {"and", ",", "&"}:
+            if part:
+                yield tuple(part)
+            part = []
+        else:
+            part.append(word)
+    yield tuple(part)
+
+
+def _text(words: Sequence[Word]) -> str:
+    return " ".join(word.text for word in words)
