@@ -9,10 +9,19 @@ from typing import Any
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.estimate import Estimate
 from missiontree.mission.fleet import Fleet, RobotType
-from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, GroundedTree, NodeKind, Role
+from missiontree.mission.grounded import (
+    Action,
+    GroundedLink,
+    GroundedNode,
+    GroundedTree,
+    Grounding,
+    NodeKind,
+    Role,
+)
 from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.scene import Entity
 from missiontree.mission.tree import Link, LinkKind, MissionNode, MissionTree
+from missiontree.routines.ground import ground
 from missiontree.routines.library import built_in
 
 PERSON, ANIMAL, PLACE = "person", "animal", "place"
@@ -106,6 +115,21 @@ def brief_of(
         routines=routines or built_in(),
         **others,
     )
+
+
+def grounding_of(tree: MissionTree, **brief: Any) -> Grounding:
+    """The tree grounded over :func:`brief_of` it."""
+    return ground(tree, brief_of(tree, **brief))
+
+
+def actions_of(tree: GroundedTree) -> list[Action]:
+    """All actions, in order of the leaves."""
+    return [node.action for node in tree.nodes if node.action is not None]
+
+
+def people(*names: str) -> tuple[Entity, ...]:
+    """Persons of those names, of whom nothing else is known."""
+    return tuple(Entity(id=name, kind=PERSON) for name in names)
 
 
 def trivial_fleet(types: Mapping[str, int] | Iterable[str] = ("r",), **common: Any) -> Fleet:
