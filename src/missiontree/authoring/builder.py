@@ -7,6 +7,7 @@ decline. The whole state is one frozen value that a call replaces at its very en
 
 from __future__ import annotations
 
+import textwrap
 import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -18,7 +19,7 @@ from missiontree.authoring.edits import depth_of, with_children, with_entities, 
 from missiontree.authoring.entities import Cast, known_kinds
 from missiontree.authoring.findings import MAX_DEPTH, MAX_NODES, findings
 from missiontree.authoring.links import Pair, check_links, name_of_kind
-from missiontree.authoring.matching import did_you_mean, listed, same_name
+from missiontree.authoring.matching import did_you_mean, listed, quoted, same_name
 from missiontree.authoring.naming import make_id
 from missiontree.authoring.nodes import find_node, find_parent
 from missiontree.authoring.routine_calls import RoutineCall, able_types, form_of, read_routine_call
@@ -106,6 +107,7 @@ class TreeBuilder:
             raise refuse("duplicate", "There is a tree already.", node=self.tree.root.id, hint=hint)
         label = " ".join(objective.split())
         _check_text(label, "objective", MAX_OBJECTIVE)
+        label = textwrap.shorten(label, MAX_NAME, placeholder=" ...") if len(label) > MAX_NAME else label
         root = MissionNode(id=make_id(label, (), "mission"), label=label)
         tree = MissionTree(objective=objective, nodes=(root,))
         return self._done(replace(self.state, tree=tree), {"root": root.id} | self._on_offer)
@@ -194,7 +196,7 @@ class TreeBuilder:
         kinds = known_kinds(cast.scene)
         if kind not in kinds:
             hint = f"{did_you_mean(kind, kinds)} Kinds are: {listed(kinds)}.".strip()
-            raise refuse("unknown_kind", f"There is no kind {kind[:200]!r}.", node=name, hint=hint)
+            raise refuse("unknown_kind", f"There is no kind {quoted(kind)}.", node=name, hint=hint)
         entity = cast.introduce(name, kind)
         state = replace(self.state, tree=with_entities(tree, [entity]))
         data = {"entity": entity.id, "entities": [known.id for known in cast.everyone]}
@@ -401,7 +403,7 @@ def _check_names(tree: MissionTree, above: MissionNode, names: Sequence[str]) ->
         _check_text(name, "a task name", MAX_NAME)
         form = same_name(name)
         if form in standing:
-            message = f"{above.label!r} has a subtask {name!r} already, or the call names it twice."
+            message = f"{above.label!r} has a subtask {quoted(name)} already, or the call names it twice."
             raise refuse("duplicate", message, node=standing[form], hint="Give it another name, or leave it out.")
         standing[form] = name
 

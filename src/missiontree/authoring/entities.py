@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from missiontree.authoring.answer import refuse
 from missiontree.authoring.kinds import kind_of
-from missiontree.authoring.matching import did_you_mean, listed, same_name, words_of
+from missiontree.authoring.matching import did_you_mean, listed, quoted, same_name, words_of
 from missiontree.authoring.naming import make_id
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.reason import Reason
@@ -55,7 +55,9 @@ class Cast:
         called = exact or [entity for entity in self.everyone if wanted in names_of(entity)]
         if len(called) > 1:
             ids = listed(entity.id for entity in called)
-            raise refuse("ambiguous_name", f"{name!r} may be any of {ids}.", node=name, hint="Use one of these ids.")
+            raise refuse(
+                "ambiguous_name", f"{quoted(name)} may be any of {ids}.", node=name[:200], hint="Use one of these ids."
+            )
         return called[0] if called else None
 
     def resolve(self, name: str) -> Entity:
@@ -77,8 +79,8 @@ class Cast:
         way_out = "introduceEntity makes a new one; its position is then unknown."
         raise refuse(
             "unknown_entity",
-            f"There is no entity {name!r}. Known are: {listed(known)}.",
-            node=name,
+            f"There is no entity {quoted(name)}. Known are: {listed(known)}.",
+            node=name[:200],
             hint=f"{hint} {way_out}".strip(),
         )
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from missiontree.authoring.answer import refuse
-from missiontree.authoring.matching import did_you_mean, same_name
+from missiontree.authoring.matching import did_you_mean, quoted, same_name
 from missiontree.authoring.wire import RULE, kind_of_json
 from missiontree.mission.precedence import EventGraph, event_graph
 from missiontree.mission.tree import Link, LinkKind, MissionTree
@@ -73,7 +73,7 @@ def read_kind(given: Any, what: str) -> LinkKind:
             return kind
     raise refuse(
         RULE,
-        f"{what}: there is no kind of link {given!r}.",
+        f"{what}: there is no kind of link {quoted(given)}.",
         hint=f"{did_you_mean(given, WIRE_KINDS)} {accepted}".strip(),
     )
 

@@ -15,6 +15,7 @@ from collections.abc import Iterable
 _ARTICLES = frozenset({"the", "a", "an"})
 _LINKING_WORDS = frozenset({"and", "with", "of", "for", "to", "in", "on", "at", "from", "her", "his", "its", "their"})
 _LONG_WORD = 5
+_LONGEST_SHOWN = 80
 
 
 def same_name(name: str) -> str:
@@ -63,6 +64,11 @@ def listed(names: Iterable[str], most: int = 20) -> str:
     every = list(names)
     tail = f" and {len(every) - most} more" if len(every) > most else ""
     return ", ".join(every[:most]) + tail if every else "none"
+
+
+def quoted(name: str) -> str:
+    """A name that came from outside, in quotes, its control characters escaped, and cut if it is long."""
+    return repr(name if len(name) <= _LONGEST_SHOWN else f"{name[:_LONGEST_SHOWN]}...")
 
 
 def _one_slip(one: str, two: str) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 
 from missiontree.authoring.answer import RefusalError, refuse
 from missiontree.authoring.entities import Cast
-from missiontree.authoring.matching import did_you_mean, is_near, listed, same_name, without_articles
+from missiontree.authoring.matching import did_you_mean, is_near, listed, quoted, same_name, without_articles
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.tree import MissionNode, MissionTree
@@ -24,12 +24,12 @@ def find_parent(tree: MissionTree, name: str) -> tuple[MissionNode, tuple[Reason
     RefusalError
         ``unknown_parent``, ``ambiguous_name``, or ``parent_is_routine``.
     """
-    node = tree.by_id.get(name)
+    node = tree.root if name == tree.objective else tree.by_id.get(name)
     notices: tuple[Reason, ...] = ()
     if node is None:
         node, exact = _parent_by_name(tree, name)
         if not exact:
-            message = f"Parent {name!r} was taken to mean {node.label!r} ({node.id})."
+            message = f"Parent {quoted(name)} was taken to mean {node.label!r} ({node.id})."
             notices = (
                 Reason(
                     rule="parent_matched",
@@ -62,7 +62,7 @@ def _parent_by_name(tree: MissionTree, name: str) -> tuple[MissionNode, bool]:
     tasks = _tasks(tree)
     raise refuse(
         "unknown_parent",
-        f"There is no task {name!r}.",
+        f"There is no task {quoted(name)}.",
         node=name[:200],
         hint=f"{did_you_mean(name, (node.label for node in tasks))} Tasks are: {listed(node.id for node in tasks)}.".strip(),
     )
@@ -121,7 +121,7 @@ def find_node(
     labels = [node.label for node in tree.nodes]
     raise refuse(
         "unknown_node",
-        f"There is no node {reference!r}.",
+        f"There is no node {quoted(reference)}.",
         node=reference[:200],
         hint=f"{did_you_mean(reference, labels)} Nodes are: {listed(node.id for node in tree.nodes)}.".strip(),
     )
@@ -148,7 +148,7 @@ def _tasks(tree: MissionTree) -> list[MissionNode]:
 
 def _only(matches: Sequence[MissionNode], name: str) -> MissionNode:
     if len(matches) > 1:
-        raise refuse("ambiguous_name", f"{name!r} may be any of {_ids(matches)}.", hint="Use one of these ids.")
+        raise refuse("ambiguous_name", f"{quoted(name)} may be any of {_ids(matches)}.", hint="Use one of these ids.")
     return matches[0]
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from missiontree.authoring.answer import RefusalError, refuse
 from missiontree.authoring.entities import Cast
-from missiontree.authoring.matching import did_you_mean, listed, same_name
+from missiontree.authoring.matching import did_you_mean, listed, quoted, same_name
 from missiontree.authoring.wire import RULE, kind_of_json
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.fleet import Fleet
@@ -80,7 +80,7 @@ def find_routine(library: RoutineLibrary, name: str) -> Routine:
     if routine is None:
         names = [known.wire_name for known in library.routines]
         hint = f"{did_you_mean(name, names)} Routines are: {listed(names)}.".strip()
-        raise refuse("unknown_routine", f"There is no routine {name[:200]!r}.", node=name[:200], hint=hint)
+        raise refuse("unknown_routine", f"There is no routine {quoted(name)}.", node=name[:200], hint=hint)
     return routine
 
 
@@ -117,7 +117,7 @@ def _by_name(routine: Routine, given: Any, what: str) -> dict[str, Any]:
     for name in given:
         if name not in names and name != "resources":
             hint = f"{did_you_mean(name, names)} {form}".strip()
-            raise refuse(RULE, f"{what}: {routine.id} has no argument {name[:200]!r}.", hint=hint)
+            raise refuse(RULE, f"{what}: {routine.id} has no argument {quoted(name)}.", hint=hint)
     for name in names:
         if name not in given:
             raise refuse(RULE, f"{what} lacks {routine.id}'s argument {name!r}.", hint=form)
@@ -149,7 +149,7 @@ def _find_type(fleet: Fleet, name: str) -> str:
         return found[0]
     spellings = [spelling for kind in fleet.types for spelling in (kind.id, kind.label)]
     hint = f"{did_you_mean(name, spellings)} Robot types are: {listed(fleet.by_id)}.".strip()
-    raise refuse("unknown_robot", f"There is no robot type {name[:200]!r}.", robot=name[:200], hint=hint)
+    raise refuse("unknown_robot", f"There is no robot type {quoted(name)}.", robot=name[:200], hint=hint)
 
 
 def _check_kinds(routine: Routine, entities: Mapping[str, Entity], scene: Scene) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 
 from missiontree.authoring.answer import refuse
 from missiontree.authoring.links import WIRE_KINDS, read_kind, read_pairs
-from missiontree.authoring.matching import same_name
+from missiontree.authoring.matching import quoted, same_name
 from missiontree.authoring.wire import RULE, kind_of_json
 
 
@@ -63,7 +63,9 @@ def _gate(given: Any, name: str) -> str:
     gate = same_name(_text(given, name))
     if gate not in {"and", "xor"}:
         raise refuse(
-            RULE, f"{name}: there is no gate {given!r}.", hint='Gates are "AND" (all of them) and "XOR" (one of them).'
+            RULE,
+            f"{name}: there is no gate {quoted(given)}.",
+            hint='Gates are "AND" (all of them) and "XOR" (one of them).',
         )
     return gate
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from missiontree.authoring.answer import Answer, RefusalError, refuse
 from missiontree.authoring.builder import Draw, State, TreeBuilder
-from missiontree.authoring.matching import did_you_mean, listed
+from missiontree.authoring.matching import did_you_mean, listed, quoted
 from missiontree.authoring.shapes import CALLS, FLAG, FLAGS, GATE, KIND, PAIRS, TEXT, TEXTS, Shape
 from missiontree.authoring.wire import RULE, parse_arguments
 from missiontree.formats.digest import canonical
@@ -267,7 +267,7 @@ def read_arguments(tool: TreeFunction, parsed: Mapping[str, Any]) -> dict[str, A
         parameter = spelt.get(key)
         if parameter is None:
             hint = f"{did_you_mean(key, (known.name for known in tool.parameters))} {form}".strip()
-            raise refuse(RULE, f"{tool.name} has no argument {key[:200]!r}.", hint=hint)
+            raise refuse(RULE, f"{tool.name} has no argument {quoted(key)}.", hint=hint)
         if parameter.name in given:
             raise refuse(RULE, f"{parameter.name} is given twice, under two spellings.", hint="Give it once.")
         given[parameter.name] = parameter.shape.read(value, key)
@@ -291,7 +291,7 @@ def tools_table() -> str:
 def _find_tool(name: str) -> TreeFunction:
     if name not in BY_NAME:
         hint = f"{did_you_mean(name, BY_NAME)} Functions are: {listed(BY_NAME)}.".strip()
-        raise refuse("unknown_function", f"There is no function {name[:200]!r}.", hint=hint)
+        raise refuse("unknown_function", f"There is no function {quoted(name)}.", hint=hint)
     return BY_NAME[name]
 
 

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from typing import Any, NoReturn
 
 from missiontree.authoring.answer import refuse
+from missiontree.authoring.matching import quoted
 
 RULE = "malformed_arguments"
 MAX_CHARACTERS = 1_000_000
@@ -94,7 +95,7 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     if len(items) < len(pairs):
         seen: set[str] = set()
         twice = next(key for key, _ in pairs if key in seen or seen.add(key))  # type: ignore[func-returns-value]
-        raise ValueError(f"key {twice!r} stands twice")
+        raise ValueError(f"key {quoted(twice)} stands twice")
     return items
 
 
@@ -105,7 +106,7 @@ def _no_constant(name: str) -> NoReturn:
 def _finite(text: str) -> float:
     number = float(text)
     if not math.isfinite(number):
-        raise ValueError(f"{text} is too large a number")
+        raise ValueError(f"{text[:40]} is too large a number")
     return number
 
 
@@ -120,5 +121,7 @@ def _check_letters(parsed: dict[str, Any]) -> None:
             stack.extend(value)
         elif isinstance(value, str) and any("\ud800" <= letter <= "\udfff" for letter in value):
             raise refuse(
-                RULE, f"The text {value!r} holds half a character (a lone surrogate).", hint="Send whole characters."
+                RULE,
+                f"The text {quoted(value)} holds half a character (a lone surrogate).",
+                hint="Send whole characters.",
             )

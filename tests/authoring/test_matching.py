@@ -1,0 +1,79 @@
+import pytest
+
+from missiontree.authoring.matching import (
+    did_you_mean,
+    is_near,
+    listed,
+    same_name,
+    suggestions,
+    without_articles,
+    words_of,
+)
+
+
+def test_names_are_the_same_up_to_letter_case_and_blanks() -> None:
+    assert same_name("  Safe   AREA ") == same_name("safe area")
+
+
+def test_a_letter_and_its_composed_form_are_the_same() -> None:
+    """ "ü" may be one code point or "u" with a diaeresis put after it."""
+    assert same_name("J\u00fcngster") == same_name("Ju\u0308ngster")
+
+
+def test_words_leave_punctuation_and_case_aside() -> None:
+    assert words_of("Reach, then: transport!") == ("reach", "then", "transport")
+
+
+def test_articles_are_left_aside() -> None:
+    assert without_articles("Locate the Lost Child") == ("locate", "lost", "child")
+
+
+@pytest.mark.parametrize(
+    ("name", "other"),
+    [
+        ("Reunite the Child with Mom", "Reunite the child and mom"),  # the paper's own slip
+        ("Locate the chlid", "Locate the child"),
+        ("Locate the childd", "Locate the child"),
+        ("Locate the chold", "Locate the child"),
+    ],
+)
+def test_near_names(name: str, other: str) -> None:
+    """Linking words differ, or one letter of a word of five letters or more."""
+    assert is_near(name, other)
+    assert is_near(other, name)
+
+
+@pytest.mark.parametrize(
+    ("name", "other"),
+    [
+        ("Locate the chil", "Locate the child"),
+        ("Find cat", "Find bat"),  # short words are words of their own
+        ("Inspect room 1", "Inspect room 2"),
+        ("Inspect room12345", "Inspect room12346"),
+        ("Find mom", "Find mom quickly"),
+        ("Bring child mother", "Bring mother child"),
+        ("the", "a"),
+        ("", ""),
+    ],
+)
+def test_names_that_are_not_near(name: str, other: str) -> None:
+    assert not is_near(name, other)
+
+
+def test_look_alike_letters_never_match() -> None:
+    """The second "Locate" has a Cyrillic "о", U+043E; one changed letter otherwise makes a near name."""
+    assert is_near("Lacate child", "Locate child")
+    assert not is_near("L\u043ecate child", "Locate child")
+    assert same_name("L\u043ecate") != same_name("Locate")
+    assert same_name("\uff2cocate") != same_name("Locate"), "full-width letters are other letters"
+
+
+def test_suggestions_come_nearest_first() -> None:
+    assert suggestions("SerchTree", ["ReachTree", "SearchTree", "Unlike"])[0] == "SearchTree"
+    assert did_you_mean("zzz", ["SearchTree"]) == ""
+
+
+def test_long_lists_say_how_much_is_left_out() -> None:
+    # 25 names, 20 shown, hence 5 more.
+    assert listed([f"n{number}" for number in range(25)]).endswith("n19 and 5 more")
+    assert listed([]) == "none"
