@@ -12,7 +12,7 @@ PEOPLE = (*people("x"), Entity(id="y", kind="place"))
 
 
 def calls(*nodes: tuple[str, dict[str, str]], **brief: object) -> list[Call]:
-    leaves = [routine_node(f"n{number}", name, **arguments) for number, (name, arguments) in enumerate(nodes)]
+    leaves = [routine_node(f"n{number}", name, None, **arguments) for number, (name, arguments) in enumerate(nodes)]
     tree = flat_tree(*leaves, entities=PEOPLE)
     made = brief_of(tree, **brief)  # type: ignore[arg-type]
     return list(calls_of(tree, made, made.world.extended(tree.entities)).values())
