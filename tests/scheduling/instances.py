@@ -100,7 +100,7 @@ def mission(
         nodes=tuple(made.nodes),
         roles=tuple(made.roles),
         links=tuple(
-            GroundedLink(made.named[link[0]], made.named[link[1]], link[2] if len(link) > 2 else "precedence")  # type: ignore[misc, arg-type]
+            GroundedLink(made.named[link[0]], made.named[link[1]], link[2] if len(link) > 2 else "precedence")  # type: ignore[arg-type]
             for link in links
         ),
     )
