@@ -136,3 +136,8 @@ routines:
 def test_with_routines_adds_values(tmp_path: Path) -> None:
     library = load([write(tmp_path, "a.yaml", LOOK.format(id="Look"))])
     assert with_routines(built_in(), collect(library.by_id["Look"])) == library
+
+
+def test_a_file_named_twice_is_read_once(tmp_path: Path) -> None:
+    path = write(tmp_path, "a.yaml", LOOK.format(id="Look"))
+    assert load([path, tmp_path / "." / ".." / tmp_path.name / "a.yaml"]) == load([path])

@@ -54,7 +54,9 @@ def test_precedence_between_alternatives_is_a_finding() -> None:
         routine_node("f", "Follow", agent="x"),
     )
     tree = MissionTree(objective="o", nodes=nodes, links=(Link("s", "f"),), entities=people("x"))
-    assert [(finding.rule, finding.severity) for finding in grounding_of(tree).findings] == [("never_binds", "warning")]
+    assert [(finding.rule, finding.severity) for finding in grounding_of(tree).findings] == [
+        ("link_never_binds", "warning")
+    ]
 
 
 def test_assumed_and_unknown_positions_are_stated_once_each() -> None:

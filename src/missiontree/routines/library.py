@@ -35,7 +35,7 @@ def load(paths: Iterable[Path | str]) -> RoutineLibrary:
     ----------
     paths
         YAML or JSON files of routines, or Python files that define routines (see :mod:`missiontree.routines.python`; such a
-        file is run). Composed routines may use the routines of any of the files.
+        file is run). A file named twice is read once. Composed routines may use the routines of any of the files.
 
     Raises
     ------
@@ -44,7 +44,7 @@ def load(paths: Iterable[Path | str]) -> RoutineLibrary:
     """
     found: list[Routine] = []
     origin: dict[str, str] = {}
-    for path in map(Path, paths):
+    for path in {Path(path).resolve(): Path(path) for path in paths}.values():
         for routine in collect(path) if path.suffix == ".py" else read_file(path, "routines").routines:
             if routine.id in origin:
                 raise _twice(routine, f"{origin[routine.id]} defines it too", str(path))

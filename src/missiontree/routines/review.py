@@ -18,7 +18,7 @@ def never_binding(tree: MissionTree, selection: CoSelection) -> list[Reason]:
     number = {node.id: index for index, node in enumerate(tree.nodes)}
     return [
         Reason(
-            rule="never_binds",
+            rule="link_never_binds",
             severity="warning",
             message=f"The {link.kind} link of {tree.by_id[link.first].label} and {tree.by_id[link.second].label} never binds: "
             "they are alternatives, only one of them is done.",
@@ -72,7 +72,7 @@ def assumed_positions(calls: Mapping[str, Call], world: Scene, has_scene: bool) 
                 Reason(
                     rule="position_unknown",
                     severity="assumption",
-                    message=f"Where {entity.label} is is not known; going there takes the routine's nominal time.",
+                    message=f"The position of {entity.label} is not known; going there takes the routine's nominal time.",
                     node=entity.id,
                     found="no position, last_seen or search_area",
                     hint="Give it a position, a last_seen or a search_area in the scene.",
