@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 from missiontree.mission.alternative import Alternative, Assignment, Choice, RoleType
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.fleet import Robot, RobotType
-from missiontree.mission.grounded import GroundedNode, GroundedTree
+from missiontree.mission.grounded import GroundedNode, GroundedTree, Grounding
 from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
@@ -68,6 +69,11 @@ def with_nodes(plan: Plan, place: int, node: MissionNode, **changes: Any) -> Pla
 def with_grounded(plan: Plan, **changes: Any) -> Plan:
     assert plan.grounding is not None
     return replace(plan, grounding=replace(plan.grounding, tree=replace(plan.grounding.tree, **changes)))
+
+
+def with_notes(grounding: Grounding, what: str, notes: tuple[Reason, ...]) -> Grounding:
+    changes: dict[str, Any] = {what: notes}
+    return replace(grounding, **changes)
 
 
 def with_action(plan: Plan, leaf: int, **changes: Any) -> Plan:
@@ -274,11 +280,12 @@ def team_changed(plan: Plan) -> Iterator[Plan]:
 @breaks("grounding_notes_differ")
 def note_changed(plan: Plan) -> Iterator[Plan]:
     assert plan.grounding is not None
-    for what in ("not_offered", "assumptions", "notices", "findings"):
-        notes = getattr(plan.grounding, what)
-        yield replace(plan, grounding=replace(plan.grounding, **{what: (*notes, WHY)}))
+    whats = ("not_offered", "assumptions", "notices", "findings")
+    for what in whats:
+        notes: tuple[Reason, ...] = getattr(plan.grounding, what)
+        yield replace(plan, grounding=with_notes(plan.grounding, what, (*notes, WHY)))
         if notes:
-            yield replace(plan, grounding=replace(plan.grounding, **{what: notes[1:]}))
+            yield replace(plan, grounding=with_notes(plan.grounding, what, notes[1:]))
 
 
 @breaks("type_unknown")
@@ -731,7 +738,7 @@ def team_in_one(plan: Plan) -> Iterator[Plan]:
     roles = grounded_tree(plan).roles
     for place, schedule in schedules(plan):
         team = [entry for entry in schedule.assignments if roles[entry.role].team is not None]
-        for first, second in zip(team, team[1:], strict=False):
+        for first, second in pairwise(team):
             if roles[first.role].team == roles[second.role].team:
                 yield handed_over(plan, place, second.role, first.robot)
 

@@ -28,7 +28,7 @@ from missiontree.mission.tree import Link, MissionNode, MissionTree
 from missiontree.routines.ground import ground
 from missiontree.routines.library import built_in
 from missiontree.scheduling import SCHEDULERS
-from tests.builders import brief_of, flat_tree, reunite_tree, rescue_tree, routine_node
+from tests.builders import brief_of, flat_tree, rescue_tree, reunite_tree, routine_node
 
 THINGS = ("object", "person", "animal")
 

@@ -5,9 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from missiontree.checking.case import Case
-from missiontree.checking.enumeration import every_alternative
+from missiontree.checking.enumeration import best_first
 from missiontree.checking.fault import Fault
 from missiontree.checking.ranking import MILLION, utility_of
+from missiontree.checking.staffing import Staffing
+from missiontree.mission.alternative import Ranking
+from missiontree.mission.estimate import Weights
+
+END = "nobody: there are no more alternatives"
 
 
 def ranking_status_unfounded(case: Case) -> Iterator[Fault]:
@@ -65,44 +70,42 @@ def bound_below_utility(case: Case) -> Iterator[Fault]:
 def claim_refuted(case: Case) -> Iterator[Fault]:
     """In a small tree, all alternatives written out show that a proven rank, a bound or an impossibility is false."""
     ranking = case.plan.ranking
-    everything = every_alternative(case) if ranking is not None and _claims(case) else None
-    if ranking is None or everything is None:
+    if ranking is None or not _claims(ranking):
         return
-    if ranking.status == "infeasible" and everything:
-        best = utility_of(everything[0], case.plan.brief.weights) / MILLION
-        yield Fault(
-            f"the mission is called infeasible, and there is an alternative of utility {best:g}.",
-            found="infeasible",
-            needed="exact",
-        )
+    truth = best_first(case)
+    weights = case.plan.brief.weights
     listed = [frozenset(staffing.taken.items()) for staffing in case.staffings]
-    for place, (staffing, choices) in enumerate(zip(case.staffings, listed, strict=True)):
-        proven = staffing.alternative.certificate.claim == "proven"
-        needed = everything[place] if place < len(everything) else None
-        if proven and (needed is None or frozenset(needed.taken.items()) != choices):
-            better = "none such" if needed is None else f"{utility_of(needed, case.plan.brief.weights) / MILLION:g}"
+    for staffing, choices in zip(case.staffings, listed, strict=True):
+        needed = next(truth, END)
+        if needed is None or staffing.alternative.certificate.claim != "proven":
+            return  # nothing is claimed of this rank and of those below it, or nothing can be told
+        if isinstance(needed, str) or frozenset(needed.taken.items()) != choices:
+            found = f"utility {staffing.alternative.utility:g}"
+            better = needed if isinstance(needed, str) else f"an alternative of utility {_utility(needed, weights):g}"
             yield Fault(
-                f"alternative {staffing.alternative.rank} is called proven, and rank {place + 1} belongs to another (utility {better}).",
-                found=f"utility {staffing.alternative.utility:g}",
-                needed=f"utility {better}",
+                f"alternative {staffing.alternative.rank} of {found} is called proven, and its rank belongs to {better}.",
+                found=found,
+                needed=better,
             )
             return
-    bound = ranking.certificate.bound
-    unlisted = [staffing for staffing in everything if frozenset(staffing.taken.items()) not in set(listed)]
-    if bound is not None and unlisted:
-        best = utility_of(unlisted[0], case.plan.brief.weights) / MILLION
-        if best > bound + 1e-6:
-            yield Fault(
-                f"the ranking claims that nothing unlisted is above {bound:g}, and there is an alternative of {best:g}.",
-                found=f"bound {bound:g}",
-                needed=f"at least {best:g}",
-            )
+    unlisted = next(truth, END)
+    if unlisted is None or isinstance(unlisted, str):
+        return
+    best, bound = _utility(unlisted, weights), ranking.certificate.bound
+    if ranking.status == "infeasible" or (bound is not None and best > bound + 1e-6):
+        found = "infeasible" if ranking.status == "infeasible" else f"bound {bound:g}"
+        yield Fault(
+            f"the ranking claims {found}, and there is an unlisted alternative of utility {best:g}.",
+            found=found,
+            needed=f"at least {best:g}",
+        )
 
 
-def _claims(case: Case) -> bool:
-    ranking = case.plan.ranking
-    return ranking is not None and (
-        ranking.status == "infeasible"
-        or ranking.certificate.bound is not None
-        or any(alternative.certificate.claim == "proven" for alternative in ranking.alternatives)
-    )
+def _utility(staffing: Staffing, weights: Weights) -> float:
+    return utility_of(staffing, weights) / MILLION
+
+
+def _claims(ranking: Ranking) -> bool:
+    """Whether there is anything to hold against the truth."""
+    first_proven = any(alternative.certificate.claim == "proven" for alternative in ranking.alternatives[:1])
+    return ranking.status == "infeasible" or first_proven

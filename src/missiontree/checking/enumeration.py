@@ -13,7 +13,7 @@ from missiontree.mission.certificate import Certificate
 from missiontree.mission.grounded import GroundedTree
 
 MOST_SELECTIONS = 2000
-MOST_LEAVES = 20_000
+MOST_NODES = 200_000
 
 Choices = tuple[tuple[int, int], ...]
 
@@ -37,36 +37,25 @@ def selections(tree: GroundedTree) -> list[Choices] | None:
     return below[0]
 
 
-def every_alternative(case: Case) -> list[Staffing] | None:
+def best_first(case: Case) -> Iterator[Staffing | None]:
     """
-    Every alternative that can be staffed, best first; None if there are too many, or it cannot be told of one.
+    Every alternative that robots can fill, best first: by utility, then by choice indices in preorder.
 
-    By utility, then by choice indices in preorder.
+    None comes in place of one of which it cannot be told whether robots can fill it, or of all where there are too many.
     """
-    found = list(_staffed(case))
-    if any(entry is None for entry in found):
-        return None
-    weights = case.plan.brief.weights
-    whole = [entry for entry in found if entry is not None]
-    return sorted(whole, key=lambda staffing: (-utility_of(staffing, weights), choice_key(staffing)))
-
-
-def _staffed(case: Case) -> Iterator[Staffing | None]:
-    ways = selections(case.tree) if case.tree is not None else None
-    if case.tree is None or ways is None or len(ways) * len(case.tree.nodes) > MOST_LEAVES * 100:
+    tree = case.tree
+    ways = selections(tree) if tree is not None else None
+    if tree is None or ways is None or len(ways) * len(tree.nodes) > MOST_NODES:
         yield None
         return
-    for choices in ways:
-        staffing = Staffing(case.tree, case.mission_tree, _bare(choices))
-        if any(type_id not in case.fleet.by_id for type_id in staffing.type_of_role.values()):
-            yield None
-            return
-        fits = can_be_staffed(staffing, case.fleet)
-        if fits is None:
-            yield None
-            return
-        if fits:
-            yield staffing
+    weights = case.plan.brief.weights
+    staffings = [Staffing(tree, case.mission_tree, _bare(choices)) for choices in ways]
+    staffings.sort(key=lambda staffing: (-utility_of(staffing, weights), choice_key(staffing)))
+    for staffing in staffings:
+        known = all(type_id in case.fleet.by_id for type_id in staffing.type_of_role.values())
+        fits = can_be_staffed(staffing, case.fleet) if known else None
+        if fits is not False:
+            yield staffing if fits else None
 
 
 def _bare(choices: Choices) -> Alternative:

@@ -39,7 +39,7 @@ def utility_wrong(case: Case) -> Iterator[Fault]:
     for staffing in case.staffings:
         needed = utility_of(staffing, case.plan.brief.weights) / MILLION
         found = staffing.alternative.utility
-        if not abs(found - needed) <= 1e-6 + 1e-9 * abs(needed):
+        if not math.isfinite(needed) or abs(found - needed) > 1e-6 + 1e-9 * abs(needed):
             yield Fault(
                 f"alternative {staffing.alternative.rank} claims utility {found:g}; its actions give {needed:g}.",
                 found=f"{found:.6f}",

@@ -9,7 +9,8 @@ from missiontree.checking.budgets import beyond
 from missiontree.checking.staffing import Staffing
 from missiontree.mission.fleet import Fleet
 
-MOST_TRIES = 20_000
+MOST_WORK = 200_000
+"""Roles looked at in all tries together before the search is given up."""
 
 
 def conflict(staffing: Staffing, fleet: Fleet, robots: Mapping[int, str]) -> tuple[str, int, str] | None:
@@ -77,20 +78,20 @@ def _budget_conflict(staffing: Staffing, fleet: Fleet, robots: Mapping[int, str]
 
 
 def can_be_staffed(staffing: Staffing, fleet: Fleet) -> bool | None:
-    """Whether some robots fit by what allocation knows; None if 20,000 tries did not tell."""
+    """Whether some robots fit by what allocation knows; None if it took too many tries to tell."""
     roles = list(staffing.leaves_of_role)
-    if not roles:
+    if not roles or not _coupled(staffing, fleet):
         return True
     members = [[robot.id for robot in fleet.by_id[staffing.type_of_role[role]].members] for role in roles]
-    chosen, tries = [-1], 0
+    chosen, work = [-1], 0
     while chosen:
         chosen[-1] += 1
         depth = len(chosen) - 1
         if chosen[-1] >= len(members[depth]):
             chosen.pop()
             continue
-        tries += 1
-        if tries > MOST_TRIES:
+        work += len(chosen)
+        if work > MOST_WORK:
             return None
         robots = {role: members[place][index] for place, (role, index) in enumerate(zip(roles, chosen, strict=False))}
         if conflict(staffing, fleet, robots) is None:
@@ -98,3 +99,15 @@ def can_be_staffed(staffing: Staffing, fleet: Fleet) -> bool | None:
                 return True
             chosen.append(-1)
     return False
+
+
+def _coupled(staffing: Staffing, fleet: Fleet) -> bool:
+    """Whether anything makes it matter which robot fills which role."""
+    if any(len(roles) > 1 for roles in staffing.teams.values()):
+        return True
+    if any(bond.kind in {"same_robot", "different_robot"} for bond in staffing.bonds):
+        return True
+    kinds = [fleet.by_id[type_id] for type_id in dict.fromkeys(staffing.type_of_role.values())]
+    limited = {name for kind in kinds for name in (*kind.limits, *kind.total_limits)}
+    limited |= {name for kind in kinds for robot in kind.robots for name in robot.remaining}
+    return any(name in limited for action in staffing.actions.values() for name in action.uses_at_least)

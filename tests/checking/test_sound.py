@@ -1,0 +1,29 @@
+"""What missiontree plans, the checker passes: random missions over every kind of map. A finding means that one of the two is wrong."""
+
+from __future__ import annotations
+
+import pytest
+
+from missiontree.checking import check
+from tests.checking.missions import random_mission
+from tests.checking.plans import made
+
+BATCH = 20
+
+
+@pytest.mark.parametrize("batch", range(5))
+def test_plans_of_random_missions_have_no_findings(batch: int) -> None:
+    """A hundred missions, ranked exactly and scheduled greedily."""
+    travelled = 0
+    for seed in range(batch * BATCH, (batch + 1) * BATCH):
+        plan = made(*random_mission(seed))
+        assert check(plan) == (), f"seed {seed}"
+        travelled += sum(len(schedule.legs) for schedule in plan.schedules)
+    assert travelled > 0, "no robot of the batch moves: the missions test nothing"
+
+
+@pytest.mark.parametrize("allocator", ["exhaustive", "pruned"])
+def test_plans_of_the_other_allocators_have_no_findings(allocator: str) -> None:
+    """Thirty missions each."""
+    for seed in range(500, 530):
+        assert check(made(*random_mission(seed), allocator=allocator)) == (), f"seed {seed}"
