@@ -13,6 +13,7 @@ _WIDTHS = {
 }
 _LOWER, _UPPER, _WIDE = 0.62, 0.74, 1.0
 ELLIPSIS = "…"
+_BREAKS = "(,-_/"
 
 
 def text_width(text: str, size: float) -> float:
@@ -76,12 +77,14 @@ def _lines(text: str, size: float, width: float) -> Iterator[str]:
 
 
 def _pieces(word: str, size: float, width: float) -> Iterator[str]:
-    """A word, cut where it is wider than a line."""
+    """A word, cut where it is wider than a line: after a bracket or a stroke if there is one, else anywhere."""
     piece, room = "", width
     for character in word:
         taken = _character_width(character) * size
         if piece and taken > room:
-            yield piece
-            piece, room = "", width
+            cut = max(piece.rfind(mark) for mark in _BREAKS) + 1 or len(piece)
+            yield piece[:cut]
+            piece = piece[cut:]
+            room = width - text_width(piece, size)
         piece, room = piece + character, room - taken
     yield piece

@@ -17,6 +17,7 @@ SIBLING_GAP, FRAME_PADDING = 30.0, 10.0
 MARGIN = 24.0
 _TEXT_WIDTH = {"task": 150.0, "routine": 150.0, "action": 104.0, "impossible": 120.0}
 _LEAST_WIDTH = 84.0
+_LONG_LINES = 4
 _ROUND = (
     1.22  # an ellipse around a text, in shares of the text's own sides; less than the root of 2, as lines are centred
 )
@@ -53,6 +54,8 @@ class Card:
 def card_of(node: ShapeNode) -> Card:
     """The box that a node needs."""
     room = _TEXT_WIDTH[node.kind]
+    if text_width(node.label, SIZE) > _LONG_LINES * room:
+        room *= 1.6
     lines = wrapped(node.label, SIZE, room, MOST_LINES)
     note = wrapped(node.note, NOTE_SIZE, room, MOST_LINES) if node.note else []
     width = max([text_width(line, SIZE) for line in lines] + [text_width(line, NOTE_SIZE) for line in note])

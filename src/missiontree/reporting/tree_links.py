@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
@@ -13,11 +13,11 @@ from missiontree.reporting.tree_layout import Layout
 from missiontree.reporting.tree_shape import Shape
 
 LANE = 13.0
+PORT, PASS, MOST_ASIDE = 7.0, 4.0, 8.0
 LANES_FROM = 26.0
 """Where the first lane runs below a row: the marks of the gates are above it."""
 
 Point = tuple[float, float]
-Port = Callable[[int, bool, bool], float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,47 +125,65 @@ class Router:
         return gap, number, node
 
 
+@dataclass(slots=True)
+class _Pen:
+    """
+    Draws routes on the page; lines that share an edge of a box, or the room beside one, get places of their own.
+
+    Parameters
+    ----------
+    rows
+        Where everything stands.
+    cards
+        The boxes.
+    """
+
+    rows: Rows
+    cards: Sequence[Card]
+    ports: Counter[tuple[int, bool, bool]] = field(default_factory=Counter)
+    passes: Counter[int] = field(default_factory=Counter)
+
+    def port(self, node: int, right: bool, down: bool) -> Point:
+        """Where a line meets the lower or upper edge of a box, right or left of its middle."""
+        width, number = self.cards[node].width, self.ports[node, right, down]
+        self.ports[node, right, down] += 1
+        aside = min(width / 4 + PORT * number, width / 2 - PORT)
+        reach = self.cards[node].reach(aside)
+        return self.rows.x[node] + (aside if right else -aside), self.rows.y[node] + (reach if down else -reach)
+
+    def beside(self, node: int) -> float:
+        """Where a line passes to the left of a box: in the middle of the room there, or close to that."""
+        number = self.passes[node]
+        self.passes[node] += 1
+        aside = (number + 1) // 2 * PASS * (1 if number % 2 else -1)
+        middle = self.rows.x[node] - self.cards[node].width / 2 - SIBLING_GAP / 2
+        return middle + max(-MOST_ASIDE, min(MOST_ASIDE, aside))
+
+    def arrow(self, route: Route) -> Arrow:
+        """The line of a route."""
+        return self._winding(route) if route.turns else self._straight(route)
+
+    def _straight(self, route: Route) -> Arrow:
+        x, first, second = self.rows.x, route.first, route.second
+        ahead = 1 if x[first] < x[second] else -1
+        start = x[first] + ahead * self.cards[first].width / 2
+        end = x[second] - ahead * self.cards[second].width / 2
+        return Arrow(route.kind, ((start, self.rows.y[first]), (end, self.rows.y[first])), 0)
+
+    def _winding(self, route: Route) -> Arrow:
+        rows, first, second = self.rows, route.first, route.second
+        goes_right = rows.x[second] >= rows.x[first]
+        points = [self.port(first, goes_right, rows.level[first] <= rows.level[second])]
+        end = self.port(second, not goes_right, rows.level[first] >= rows.level[second])
+        for gap, number, node in route.turns:
+            y = rows.bottoms[gap] + LANES_FROM + LANE * number
+            points += [(points[-1][0], y), (end[0] if node == second else self.beside(node), y)]
+        points.append(end)
+        longest = max(range(1, len(points) - 1, 2), key=lambda index: abs(points[index][0] - points[index + 1][0]))
+        return Arrow(route.kind, tuple(points), longest)
+
+
 def draw(routes: Sequence[Route], rows: Rows, cards: Sequence[Card]) -> list[Arrow]:
     """Lines on the page for routes."""
-    ports: Counter[tuple[int, bool, bool]] = Counter()
-
-    def port(node: int, right: bool, down: bool) -> float:
-        """How far aside of a node's middle a line meets it; lines that share an edge get places of their own."""
-        number = ports[node, right, down]
-        ports[node, right, down] += 1
-        aside = min(cards[node].width / 4 + 7 * number, cards[node].width / 2 - 8)
-        return aside if right else -aside
-
-    return [
-        _straight(route, rows, cards) if not route.turns else _winding(route, rows, cards, port) for route in routes
-    ]
-
-
-def _straight(route: Route, rows: Rows, cards: Sequence[Card]) -> Arrow:
-    ahead = 1 if rows.x[route.first] < rows.x[route.second] else -1
-    start = rows.x[route.first] + ahead * cards[route.first].width / 2
-    end = rows.x[route.second] - ahead * cards[route.second].width / 2
-    y = rows.y[route.first]
-    return Arrow(route.kind, ((start, y), (end, y)), 0)
-
-
-def _winding(route: Route, rows: Rows, cards: Sequence[Card], port: Port) -> Arrow:
-    first, second = route.first, route.second
-    goes_right = rows.x[second] >= rows.x[first]
-    leaves_down = rows.level[first] <= rows.level[second]
-    enters_below = rows.level[first] >= rows.level[second]
-    aside = port(first, goes_right, leaves_down)
-    x = rows.x[first] + aside
-    points = [(x, rows.y[first] + (1 if leaves_down else -1) * cards[first].reach(aside))]
-    for gap, number, node in route.turns:
-        y = rows.bottoms[gap] + LANES_FROM + LANE * number
-        points.append((x, y))
-        if node == second:
-            aside = port(second, not goes_right, enters_below)
-            x = rows.x[second] + aside
-        else:
-            x = rows.x[node] - cards[node].width / 2 - SIBLING_GAP / 2
-        points.append((x, y))
-    points.append((x, rows.y[second] + (1 if enters_below else -1) * cards[second].reach(aside)))
-    longest = max(range(1, len(points) - 1, 2), key=lambda index: abs(points[index][0] - points[index + 1][0]))
-    return Arrow(route.kind, tuple(points), longest)
+    pen = _Pen(rows, cards)
+    return [pen.arrow(route) for route in routes]

@@ -112,15 +112,16 @@ class _Page:
     def _edges(self) -> Iterator[str]:
         rows = self.rows
         for node, below in enumerate(self.shape.children):
+            if not below:
+                continue
+            x, fork = rows.x[node], rows.bottoms[rows.level[node]] + MARK_BELOW + MARK_HEIGHT
+            yield f'<path d="M{_n(x)} {_n(rows.y[node] + self.cards[node].height / 2)} L{_n(x)} {_n(fork)}"/>'
             dashes = ' stroke-dasharray="6 4"' if self.shape.nodes[node].gate == "xor" else ""
             for child in below:
-                points = (
-                    (rows.x[node], rows.y[node] + self.cards[node].height / 2),
-                    (rows.x[node], rows.bottoms[rows.level[node]] + MARK_BELOW + MARK_HEIGHT),
-                    (rows.x[child], rows.tops[rows.level[child]] - FRAME_PADDING),
-                    (rows.x[child], rows.y[child] - self.cards[child].height / 2),
-                )
-                yield f'<path d="M{" L".join(f"{_n(x)} {_n(y)}" for x, y in points)}"{dashes}/>'
+                over = (rows.x[child], rows.tops[rows.level[child]] - FRAME_PADDING)
+                end = (rows.x[child], rows.y[child] - self.cards[child].height / 2)
+                points = " L".join(f"{_n(px)} {_n(py)}" for px, py in ((x, fork), over, end))
+                yield f'<path d="M{points}"{dashes}/>'
 
     def _links(self) -> Iterator[str]:
         for arrow in self.arrows:
@@ -130,10 +131,9 @@ class _Page:
             yield f'<path d="{_rounded(arrow.points)}" stroke="{colour}"{dashes}{head}/>'
             if label:
                 (x1, y), (x2, _) = arrow.points[arrow.label_at], arrow.points[arrow.label_at + 1]
-                yield (
-                    f'<text x="{_n((x1 + x2) / 2)}" y="{_n(y - 2)}" fill="{colour}" stroke="none" text-anchor="middle" '
-                    f'font-size="9">{label}</text>'
-                )
+                text = f'x="{_n((x1 + x2) / 2)}" y="{_n(y - 2)}" text-anchor="middle" font-size="9"'
+                yield f'<text {text} stroke="#ffffff" stroke-width="3">{label}</text>'  # keeps lines off the letters
+                yield f'<text {text} fill="{colour}" stroke="none">{label}</text>'
 
     def _nodes(self) -> Iterator[str]:
         for index, (node, card) in enumerate(zip(self.shape.nodes, self.cards, strict=True)):
