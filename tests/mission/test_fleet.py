@@ -61,6 +61,11 @@ def test_a_fleet_of_ten_thousand_robots_is_a_fleet() -> None:
     assert fleet.type_of["ant-10000"].id == "ant"
 
 
+def test_a_fleet_beyond_all_reason_is_refused_before_its_robots_are_made() -> None:
+    with pytest.raises(ValueError, match="at most 100,000 robots, this one 1,000,000,001"):
+        Fleet((RobotType(id="ant", count=10**9), RobotType(id="bee", count=1)))
+
+
 def test_utility_is_a_whole_number_of_millionths() -> None:
     # 2 * 0.3 - 0.01 * 10 - 0.5 * 0.1 = 0.6 - 0.1 - 0.05 = 0.45
     assert Weights(2, 0.01, 0.5).utility_micro(Estimate(0.3, 10, 0.1)) == 450_000

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 
 from missiontree.errors import InputError
 from missiontree.formats.annotation import in_words
+from missiontree.formats.fault import nearest
 from missiontree.formats.json_text import json_text
 from missiontree.formats.mission_file import MissionFile
 from missiontree.formats.parsed import Parsed
@@ -19,7 +20,7 @@ from missiontree.formats.reader import parse
 from missiontree.formats.routine_file import RoutineFile
 from missiontree.formats.schema import schema_of
 from missiontree.formats.source import load_text
-from missiontree.formats.validation import nearest, to_value
+from missiontree.formats.validation import to_value
 from missiontree.mission.alternative import Alternative, Ranking
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.fleet import Fleet

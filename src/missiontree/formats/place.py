@@ -9,6 +9,8 @@ Path = tuple[str | int, ...]
 
 _PLAIN_KEY = re.compile(r"[A-Za-z_$][A-Za-z0-9_$-]*").fullmatch
 _SHOWN = 60
+NOWHERE = object()
+"""Stands for what is not there; None may well be."""
 
 
 def where(path: Path) -> str:
@@ -43,3 +45,11 @@ def found(data: Any) -> str:
     if isinstance(data, list):
         return f"a list of {len(data)}"
     return f"a mapping with the keys {', '.join(quoted(key) for key in list(data)[:4])}" if data else "an empty mapping"
+
+
+def child(data: Any, step: int | str) -> Any:
+    """What stands one step further; ``NOWHERE`` if nothing does."""
+    try:
+        return data[step]
+    except (KeyError, IndexError, TypeError):
+        return NOWHERE

@@ -46,14 +46,19 @@ def field_table(cls: type[Any]) -> str:
 
 def refused_table(classes: dict[str, type[Any]]) -> str:
     """A row for each rule that is planned: which fields will belong to it, and are refused until then."""
-    rules: dict[str, list[str]] = {}
+    rules: dict[str, dict[str, list[str]]] = {}
     for owner, names in FIELDS.items():
-        if owner in classes:
-            for name, rule in names.items():
-                rules.setdefault(rule, []).append(f"`{name}` of {a_noun(classes[owner])}")
-    rules[GATES].append("gates " + ", ".join(f"`{word}`" for word in GATE_WORDS))
+        for name, rule in names.items():
+            rules.setdefault(rule, {}).setdefault(f"`{name}`", []).append(noun(classes[owner]))
+    rules[GATES]["gates " + ", ".join(f"`{word}`" for word in GATE_WORDS)] = ["mission node"]
     rows = ["| Rule | Refused |", "|---|---|"]
-    return "\n".join(rows + [f"| {rule} | {', '.join(fields)} |" for rule, fields in rules.items()]) + "\n"
+    for rule, fields in rules.items():
+        by_owners: dict[str, list[str]] = {}
+        for name, owners in fields.items():
+            by_owners.setdefault(", ".join(owners), []).append(name)
+        refused = (f"{', '.join(names)} ({owners})" for owners, names in by_owners.items())
+        rows.append(f"| {rule} | {'; '.join(refused)} |")
+    return "\n".join(rows) + "\n"
 
 
 def _link(cls: type[Any]) -> str:

@@ -10,6 +10,8 @@ from missiontree.mission.frozen_map import FrozenMap
 from missiontree.mission.position import Position
 from missiontree.mission.value import Count, Id, NonNegative, Positive, Value, require_unique
 
+MAX_ROBOTS = 100_000
+
 
 @dataclass(frozen=True, slots=True)
 class DurationModel(Value):
@@ -186,7 +188,7 @@ class Fleet(Value):
     Parameters
     ----------
     types
-        Robot types, at least one, in the order in which they are offered.
+        Robot types, at least one, in the order in which they are offered. At most 100,000 robots in all.
     label
         Name shown to people.
     """
@@ -197,6 +199,9 @@ class Fleet(Value):
     def _check(self) -> None:
         if not self.types:
             raise ValueError("a fleet needs at least one robot type.")
+        robots = sum(kind.count or len(kind.robots) for kind in self.types)
+        if robots > MAX_ROBOTS:
+            raise ValueError(f"a fleet has at most {MAX_ROBOTS:,} robots, this one {robots:,}.")
         require_unique("robot type", tuple(kind.id for kind in self.types))
         require_unique("robot", tuple(robot.id for kind in self.types for robot in kind.members))
 

@@ -1,0 +1,37 @@
+"""The layout of written documents: an entry to a line where it fits."""
+
+import json
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from missiontree.formats.json_text import json_text
+
+anything = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.text(),
+    lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner),
+)
+
+
+@given(anything)
+def test_the_text_is_json_of_the_data(data: object) -> None:
+    assert json.loads(json_text(data)) == data
+
+
+def test_what_fits_stands_in_one_line_and_what_does_not_is_broken() -> None:
+    data = {"a": [{"b": [1, 2]}, {"c": "x" * 130, "d": {}}], "e": []}
+    # 130 letters do not fit into 120 columns, so the second entry is broken
+    expected = [
+        "{",
+        '  "a": [',
+        '    {"b": [1, 2]},',
+        "    {",
+        f'      "c": "{"x" * 130}",',
+        '      "d": {}',
+        "    }",
+        "  ],",
+        '  "e": []',
+        "}",
+        "",
+    ]
+    assert json_text(data).split("\n") == expected
