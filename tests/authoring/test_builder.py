@@ -413,9 +413,9 @@ class TestLinks:
     @pytest.mark.parametrize("key", ["constraintPairs", "contraintsPairs", "constraintsPairs"])
     def test_the_key_has_three_spellings_of_which_one_is_given(self, box: ToolBox, key: str) -> None:
         pairs = [["Search(Child)", "Bring"]]
-        both = attach(**{key: pairs, "constraintPairs" if key != "constraintPairs" else "contraintsPairs": []})
+        both = attach() | {key: pairs, "constraintPairs" if key != "constraintPairs" else "contraintsPairs": []}
         assert rule(refused(box, "attachMultiSubTrees", **both)) == "malformed_arguments"
-        assert box.call("attachMultiSubTrees", attach(**{key: pairs})).ok
+        assert box.call("attachMultiSubTrees", attach() | {key: pairs}).ok
         assert tree_of(box).links == (Link("search-child", "bring"),)
 
     @pytest.mark.parametrize(
@@ -595,10 +595,12 @@ class TestDeclining:
         assert [notice.rule for notice in answer.notices] == ["capability_present"]
         assert "Transportation Robot" in answer.notices[0].message
 
-    def test_it_needs_no_tree_and_is_said_once(self, brief: MissionBrief) -> None:
+    def test_it_needs_no_tree_and_is_the_last_word(self, brief: MissionBrief) -> None:
         box = ToolBox(TreeBuilder(brief))
         assert box.call("declareImpossible", {"missing": "cook", "reason": "No kitchen."}).ok
-        assert rule(refused(box, "declareImpossible", missing="fly", reason="No wings.")) == "duplicate"
+        assert rule(refused(box, "declareImpossible", missing="fly", reason="No wings.")) == "ended"
+        assert rule(refused(box, "HierarchicalTree_init", objective="Cook")) == "ended"
+        assert box.call("listRoutines").ok
 
     @pytest.mark.parametrize("given", [{"missing": "", "reason": "x"}, {"missing": "x", "reason": " "}])
     def test_it_needs_words(self, box: ToolBox, given: dict[str, str]) -> None:

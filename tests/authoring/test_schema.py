@@ -1,7 +1,7 @@
 import json
 from typing import Any
 
-import jsonschema
+import jsonschema  # type: ignore[import-untyped]
 import pytest
 
 from missiontree.authoring.builder import TreeBuilder
@@ -16,7 +16,7 @@ def schemas(box: ToolBox) -> dict[str, dict[str, Any]]:
 
 
 def accepts(schema: dict[str, Any], arguments: dict[str, Any]) -> bool:
-    return jsonschema.Draft202012Validator(schema).is_valid(arguments)
+    return bool(jsonschema.Draft202012Validator(schema).is_valid(arguments))
 
 
 def attach(routine: str, given: Any, parent: str = "find") -> dict[str, Any]:

@@ -102,6 +102,7 @@ class TreeBuilder:
     @_answering
     def init(self, objective: str) -> Answer:
         """Begin the tree with its root (the paper's HierarchicalTree_init)."""
+        self._check_not_ended()
         if self.tree is not None:
             hint = f"Go on with it: its root is {self.tree.root.id}. removeSubtask takes back what was added."
             raise refuse("duplicate", "There is a tree already.", node=self.tree.root.id, hint=hint)
@@ -295,8 +296,7 @@ class TreeBuilder:
         reason
             Why it is needed.
         """
-        if self.state.impossible:
-            raise refuse("duplicate", "The mission has been declared impossible already.", hint="Say no more.")
+        self._check_not_ended()
         _check_text(missing, "missing", MAX_NAME)
         _check_text(" ".join(reason.split()), "reason", MAX_OBJECTIVE)
         declared = Reason(
@@ -353,7 +353,14 @@ class TreeBuilder:
         """Routines that some robot can do, as a model would call them."""
         return {"routines": [form_of(known) for known in self.brief.routines.routines if self.offers[known.id].able]}
 
+    def _check_not_ended(self) -> None:
+        if self.state.impossible:
+            raise refuse(
+                "ended", "The mission has been declared impossible; that was the last word.", hint="Say no more."
+            )
+
     def _begun(self) -> MissionTree:
+        self._check_not_ended()
         if self.tree is None:
             raise refuse("no_tree", "There is no tree yet.", hint="Begin with HierarchicalTree_init(objective).")
         return self.tree
