@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from missiontree.authoring.method_outline import Outline, Piece, found_by, leaf_of
+from missiontree.authoring.reading import Relation
 from missiontree.authoring.reading_entities import Mention, title
 from missiontree.authoring.reading_goals import Goal
 from missiontree.mission.reason import Reason
@@ -72,14 +73,13 @@ def _order_as_said(
     """Then, before, after, while, until."""
     stage: list[Piece] = []
     earlier: list[Piece] = []
-    for goal, pieces in zip(goals, tops, strict=True):
-        relation, anchor = goal.clause.relation, goal.clause.anchor
+    for goal, pieces, (relation, anchor) in zip(goals, tops, _relations(goals), strict=True):
         others = tops[anchor] if anchor is not None and anchor < len(tops) else []
         if relation in {"before", "after"}:
             first, second = (others, pieces) if relation == "before" else (pieces, others)
             _all_before(first, second, made)
         elif relation in {"while", "until"}:
-            _alongside(goal, pieces, others, library, made)
+            _alongside(goal, relation, pieces, others, library, made)
         else:
             if relation == "then":
                 stage, earlier = [], stage
@@ -89,25 +89,38 @@ def _order_as_said(
             stage = [*stage, *pieces]
 
 
+def _relations(goals: Sequence[Goal]) -> list[tuple[Relation, int | None]]:
+    """How each clause is joined; one that shares the object of the next stands where that one stands."""
+    relations: list[tuple[Relation, int | None]] = [(goal.clause.relation, goal.clause.anchor) for goal in goals]
+    for index in range(len(goals) - 2, -1, -1):
+        if relations[index][0] == "shares":
+            relations[index] = relations[index + 1]
+            if relations[index][0] not in {"before", "after", "while", "until"}:
+                relations[index + 1] = ("and", index)
+    return relations
+
+
 def _all_before(first: Sequence[Piece], second: Sequence[Piece], made: Composition) -> None:
     for one in first:
         for other in second:
             made.outline.link(one, other)
 
 
-def _alongside(goal: Goal, own: list[Piece], main: list[Piece], library: RoutineLibrary, made: Composition) -> None:
+def _alongside(
+    goal: Goal, relation: Relation, own: list[Piece], main: list[Piece], library: RoutineLibrary, made: Composition
+) -> None:
     """While and until: what is open-ended lasts until the other has ended."""
     own_open, main_open = (any(piece.open_ended(library) for piece in pieces) for pieces in (own, main))
     pairs = [(one, other) for one in main for other in own]
-    if main_open and not (own_open and goal.clause.relation == "while"):
+    if main_open and not (own_open and relation == "while"):
         for one, other in pairs:
             if one.open_ended(library):
                 made.outline.link(one, other, "until")
-    elif own_open and not main_open and goal.clause.relation == "while":
+    elif own_open and not main_open and relation == "while":
         for one, other in pairs:
             if other.open_ended(library):
                 made.outline.link(other, one, "until")
-    elif goal.clause.relation == "until":
+    elif relation == "until":
         message = f"'until {goal.clause.text}': what comes before it ends by itself, so nothing can last until then."
         made.doubts.append(
             Reason(

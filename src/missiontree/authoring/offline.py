@@ -63,7 +63,7 @@ def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None) ->
         )
     reader = GoalReader(brief, library)
     clauses = clauses_of(words, reader.lexicon)
-    results = [reader.read(clause, following) for clause, following in zip(clauses, (*clauses[1:], None), strict=True)]
+    results = [reader.read(clause, following) for clause, following in zip(clauses, (*clauses[1:], None), strict=False)]
     desk.reading = tuple(_line(clause.text, result) for clause, result in zip(clauses, results, strict=True))
     troubles = tuple(result.reason for result in results if isinstance(result, Trouble))
     unserved = [result for result in results if isinstance(result, Unserved)]

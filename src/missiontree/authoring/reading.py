@@ -18,6 +18,7 @@ _QUOTES = str.maketrans(
 )
 _STOPS = frozenset(".!?;:")
 _AUXILIARIES = frozenset({"is", "are", "be", "gets", "been"})
+_MODALS = frozenset({"must", "should", "shall"})
 _SUBORDINATE = frozenset({"before", "after", "while", "until"})
 
 
@@ -174,7 +175,7 @@ class _Splitter:
     def _close(self, following: Relation, *, shares: bool = False) -> None:
         """End the clause under way; the next one is joined to it by ``following``."""
         if self.held and _says_something(self.held, self.lexicon):
-            clause = _finished(tuple(self.held), self.lexicon)
+            clause = _finished(tuple(self.held), self.lexicon, is_event=self.relation in _SUBORDINATE)
             index = len(self.done)
             anchor = index + 1 if self.leading or shares else self.anchor
             self.done.append(replace(clause, relation="shares" if shares else self.relation, anchor=anchor))
@@ -211,7 +212,7 @@ def _says_something(words: list[Word], lexicon: Lexicon) -> bool:
     return False
 
 
-def _finished(words: tuple[Word, ...], lexicon: Lexicon) -> Clause:
+def _finished(words: tuple[Word, ...], lexicon: Lexicon, *, is_event: bool) -> Clause:
     lows = [word.low for word in words]
     decisive = tuple(phrase for phrase, _, _ in lexicon.decisive.within(lows))
     kept, passed = _without_openings(list(words), lexicon)
@@ -219,7 +220,7 @@ def _finished(words: tuple[Word, ...], lexicon: Lexicon) -> Clause:
     while kept and kept[-1].low == ",":
         kept.pop()
     kept, _ = _without_openings(kept, lexicon)
-    kept = _active(kept, lexicon)
+    kept = _active(kept, lexicon, is_event=is_event)
     verb = lexicon.verb_at([word.low for word in kept], 0, "base", "gerund")
     return Clause(words=tuple(kept), verb=verb, passed_over=(*passed, *more), decisive=decisive)
 
@@ -252,15 +253,20 @@ def _without_passed_over(words: list[Word], lexicon: Lexicon) -> tuple[list[Word
     return kept, tuple(passed)
 
 
-def _active(words: list[Word], lexicon: Lexicon) -> list[Word]:
-    """Turn "the forklift is found" into "find the forklift"; other words stay as they are."""
+def _active(words: list[Word], lexicon: Lexicon, *, is_event: bool) -> list[Word]:
+    """
+    Turn "the forklift must be found" into "find the forklift"; other words stay as they are.
+
+    "The forklift is found" asks for something only as an event that something else waits for; alone it is a statement.
+    """
     lows = [word.low for word in words]
     for place in range(1, min(len(lows), MAX_CLAUSE_WORDS)):
         if lows[place] not in _AUXILIARIES:
             continue
         behind = place + 1 + (lows[place + 1 : place + 2] == ["been"])
-        if (verb := lexicon.verb_at(lows, behind, "past")) is not None:
-            subject = words[: place - (lows[place - 1] in {"has", "have", "must", "should", "shall"})]
+        asked = lows[place] == "be" and lows[place - 1] in _MODALS
+        if (asked or is_event) and (verb := lexicon.verb_at(lows, behind, "past")) is not None:
+            end = place - 1 if asked or lows[place - 1] in {"has", "have"} else place
             active = [Word(part, part) for part in verb.phrase.split()]
-            return [*active, *subject, *words[behind + verb.length :]]
+            return [*active, *words[:end], *words[behind + verb.length :]]
     return words

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
 from missiontree.authoring.lexicon import Lexicon, Verb
@@ -21,6 +22,7 @@ from missiontree.routines.library import built_in
 _TO = "to|into|onto|toward|towards"
 _ANY = f"{_TO}|at|in|on|from|with|for|inside|near|against|under|over|around|between|about|by"
 _PREPOSITIONS = frozenset(_ANY.split("|"))
+_DETERMINERS = frozenset({"the", "a", "her", "his", "my", "our", "their", "its", "your"})
 _PARTICLES = frozenset({"back", "over", "along", "away", "down", "up"})
 _OWN_METHOD, _OWN_ROUTINE, _METHOD, _ROUTINE, _SAME_GOAL = range(5)
 
@@ -110,13 +112,15 @@ class GoalReader:
                     return goal
         except (UnclearError, StepError) as unclear:
             return _trouble("unclear", clause, str(unclear))
-        said = "; ".join(dict.fromkeys(_shown(candidate.form) for candidate in candidates[:6]))
+        said = "; ".join(list(dict.fromkeys(_example(candidate, clause.verb) for candidate in candidates))[:3])
+        behind = read[clause.verb.length :]
         left = self._left_over(read)
-        detail = (
-            f"the verb '{clause.verb.phrase}' is understood, but not {left!r}"
-            if left
-            else f"'{clause.verb.phrase}' lacks its object"
-        )
+        if not behind:
+            detail = f"'{clause.verb.phrase}' lacks its object"
+        elif self.phrases.phrases(behind) is not None:
+            detail = f"'{clause.verb.phrase}' does not go with {' '.join(word.text for word in behind)!r} alone"
+        else:
+            detail = f"the verb '{clause.verb.phrase}' is understood, but not {left!r}"
         return _trouble("words_left_over", clause, detail, f"Understood would be: {said}.")
 
     def _candidates(self, verb: Verb) -> Iterator[_Candidate]:
@@ -158,6 +162,7 @@ class GoalReader:
             slot: self.phrases.phrases(words[start:end]) or ()
             for slot, (start, end) in sorted(spans.items(), key=_by_place)
         }
+        self._refuse_robots(phrase for phrases in read.values() for phrase in phrases)
         bindings = {
             slot: tuple(m for phrase in phrases for m in self.speakers.resolve(phrase))
             for slot, phrases in read.items()
@@ -182,6 +187,18 @@ class GoalReader:
         self.speakers.remember(tuple(mention for mentions in said.values() for mention in mentions))
         reading = self._reading(candidate, clause, read, said)
         return Goal(clause, outline, reading, tuple(self._assumed(outline, read, said)))
+
+    def _refuse_robots(self, phrases: Iterable[Phrase]) -> None:
+        """Who shall do it is no description of whom it is done to."""
+        robots = {name.lower() for kind in self.brief.fleet.types for name in (kind.id, kind.label)}
+        robots |= {robot.lower() for robot in self.brief.fleet.robots}
+        for phrase in phrases:
+            text = f" {phrase.text.lower()} "
+            named = next((robot for robot in sorted(robots) if f" {robot} " in text), None)
+            if named is not None and phrase.name.lower() not in self.phrases.known:
+                raise UnclearError(
+                    f"{named!r} is a robot of the fleet; which robot does what is not read from the words"
+                )
 
     def _holds(
         self,
@@ -333,15 +350,10 @@ def _plain_order(clause: Clause) -> tuple[Word, ...]:
         if place >= clause.verb.length and word.low in _PARTICLES and following in {*_PREPOSITIONS, "home", "there"}:
             continue
         before = words[-1].low if words else ""
-        if (
-            word.low in {"home", "there"}
-            and not following
-            and place >= clause.verb.length
-            and before not in _PREPOSITIONS
-            and before not in {"the", "a", "her", "his", "my", "our", "their", "its", "your"}
-            and not before.endswith("'s")
-        ):
-            words.append(Word("to", "to"))
+        if word.low in {"home", "there"} and not following and place > clause.verb.length:
+            object_her = before == "her" and place == clause.verb.length + 1
+            if object_her or not (before in _PREPOSITIONS | _DETERMINERS or before.endswith("'s")):
+                words.append(Word("to", "to"))
         words.append(word)
     return tuple(words)
 
@@ -351,6 +363,13 @@ def _shown(form: Form) -> str:
         {"slot": f"{{{e.text}}}", "goal": f"<{e.text}>", "doing": "<doing>"}.get(e.kind, e.text.split("|")[0])
         for e in form
     )
+
+
+def _example(candidate: _Candidate, verb: Verb) -> str:
+    """The pattern as somebody would say it."""
+    if candidate.method is None:
+        return _shown(candidate.form)
+    return re.sub("<[^<>]*>", verb.phrase, candidate.method.says[0], count=1)
 
 
 def _trouble(rule: str, clause: Clause, detail: str, hint: str = "") -> Trouble:

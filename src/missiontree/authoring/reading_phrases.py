@@ -12,6 +12,15 @@ from missiontree.authoring.reading import Word
 
 MAX_NAME_WORDS = 5
 MAX_PHRASE_WORDS = 24
+# A description that holds one of these says what is to be done, or with what, and not who is meant.
+_NOT_DESCRIBING = frozenset(
+    {"using", "help", "means", "to", "into", "onto", "for", "by", "toward", "towards", "then", "as", "back"}
+) | {
+    "during",
+    "within",
+    "through",
+    "via",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +65,7 @@ class PhraseReader:
 
     def __init__(self, lexicon: Lexicon, known_names: frozenset[str] = frozenset()) -> None:
         self._lexicon = lexicon
-        self._known = known_names
+        self.known = known_names
         self._small = lexicon.words
         self._determiners = lexicon.table("determiners")
         self._read = lru_cache(maxsize=4096)(self._one)
@@ -74,7 +83,7 @@ class PhraseReader:
         """A name that the scene knows may hold any words."""
         start = 1 if len(words) > 1 and words[0].low in self._small["determiners"] else 0
         name = " ".join(word.low for word in words[start:])
-        if name not in self._known:
+        if name not in self.known:
             return None
         return Phrase(name=" ".join(w.text for w in words[start:]), text=_text(words), determined=start > 0)
 
@@ -90,7 +99,12 @@ class PhraseReader:
         end = self._end_of_name(words, start)
         states, name = self._states(words[start:end])
         behind = words[end:]
-        if not self._is_name(name) or not self._is_description(behind):
+        if not self._is_name(name):
+            return None
+        if behind and behind[0].low == "of":
+            belonging, behind = self._belonging(behind)
+            name = (*name, *belonging)
+        if not self._is_description(behind):
             return None
         return Phrase(
             name=_text(name),
@@ -100,6 +114,15 @@ class PhraseReader:
             description=_text(behind),
             lost=any(word.low in self._small["lost"] for word in (*states, *behind)),
         )
+
+    def _belonging(self, behind: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Word, ...]]:
+        """The "of the team" that belongs to a name, and what is left; nothing if it is no name itself."""
+        inner = behind[1:]
+        start = self._determiner(inner) if inner else 0
+        end = self._end_of_name(inner, start) if inner else 0
+        if start < end and self._is_name(inner[start:end]):
+            return behind[: end + 1], inner[end:]
+        return (), behind
 
     def _determiner(self, words: tuple[Word, ...]) -> int:
         hit = self._determiners.at([word.low for word in words[:3]], 0)
@@ -120,7 +143,7 @@ class PhraseReader:
 
     def _is_participle(self, low: str) -> bool:
         """Whether a word is what somebody is doing: "walking", and neither "building" nor "bring"."""
-        noun = kind_of(low) is not None or low in self._known
+        noun = kind_of(low) is not None or low in self.known
         return low.endswith("ing") and len(low) > 4 and not noun and self._lexicon.verb_at([low], 0, "base") is None
 
     def _states(self, words: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Word, ...]]:
@@ -153,7 +176,7 @@ class PhraseReader:
 
     def _known_words(self, lows: list[str]) -> list[bool]:
         """Which words are known nouns, or parts of known compounds such as "assembly point"."""
-        known = [kind_of(low) is not None or low in self._known for low in lows]
+        known = [kind_of(low) is not None or low in self.known for low in lows]
         for end in range(len(lows)):
             for width in (2, 3):
                 if (
@@ -194,22 +217,7 @@ class PhraseReader:
         for place, low in enumerate(lows):
             if low in small["quantities"] or low in small["times"] or low in small["decisive"]:
                 return False
-            if low in {
-                "to",
-                "into",
-                "onto",
-                "for",
-                "by",
-                "toward",
-                "towards",
-                "then",
-                "as",
-                "back",
-                "during",
-                "within",
-                "through",
-                "via",
-            }:
+            if low in _NOT_DESCRIBING:
                 return False
             if not (low[0].isalnum() or low in {",", "'"}):
                 return False
