@@ -14,7 +14,7 @@ from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, GroundedTree, NodeKind, Role
 from missiontree.mission.tree import LinkKind
 
-MAX_WORK = 30_000
+MAX_WORK = 200_000
 BUDGETS = ("energy_j", "water_l")
 
 
@@ -40,7 +40,7 @@ class Case:
 
 def random_case(rng: Random) -> Case:
     """Draw a case; one that is too large for the oracle is drawn again, smaller."""
-    size = rng.randint(1, 14)
+    size = rng.randint(1, 20)
     while True:
         coupled = rng.random() < 0.7
         fleet = random_fleet(rng, coupled)
@@ -55,15 +55,15 @@ def random_fleet(rng: Random, coupled: bool) -> Fleet:
     """One to three types of one to three robots each; budgets only if coupled."""
     types = []
     for number in range(rng.randint(1, 3)):
-        limits = {name: _amount(rng, 8) for name in BUDGETS if coupled and rng.random() < 0.4}
-        totals = {name: _amount(rng, 12) for name in BUDGETS if coupled and rng.random() < 0.25}
+        limits = {name: _amount(rng, 12) for name in BUDGETS if coupled and rng.random() < 0.4}
+        totals = {name: _amount(rng, 20) for name in BUDGETS if coupled and rng.random() < 0.25}
         if rng.random() < 0.5:
             types.append(RobotType(id=f"t{number}", limits=limits, total_limits=totals, count=rng.randint(1, 3)))
         else:
             robots = tuple(
                 Robot(
                     id=f"t{number}_{name}",
-                    remaining={b: _amount(rng, 8) for b in BUDGETS if coupled and rng.random() < 0.5},
+                    remaining={b: _amount(rng, 12) for b in BUDGETS if coupled and rng.random() < 0.5},
                 )
                 for name in "abc"[: rng.randint(1, 3)]
             )
@@ -109,10 +109,10 @@ class _Growth:
         return len(self.roles) - 1
 
     def single(self, parent: int) -> None:
-        """A role that several types can fill, with one to three actions."""
+        """A role that can be filled in up to three ways, with one to three actions each."""
         role = self.role()
         choice = self.add(parent, "xor")
-        for robot_type in self.rng.sample(self.types, self.rng.randint(1, len(self.types))):
+        for robot_type in self.rng.choices(self.types, k=self.rng.randint(1, 3)):  # several branches of one type, too
             way = self.add(choice, "and")
             for _ in range(self.rng.randint(1, 3)):
                 self.leaf(way, role, robot_type)
@@ -156,17 +156,20 @@ def random_tree(rng: Random, fleet: Fleet, size: int, coupled: bool = True) -> G
     growing = [growth.add(-1, rng.choice(("and", "xor")))]
     while growing:
         parent = growing.pop(rng.randrange(len(growing)))  # any order, so that numbers are seldom in preorder
-        for _ in range(rng.choice((1, 2, 2, 3))):
+        for _ in range(rng.choice((1, 2, 2, 3, 3))):
             luck = rng.random()
-            if luck < 0.35 and len(growth.roles) + 2 * len(growing) < size:
+            if luck < 0.45:
+                if len(growth.roles) + 2 * len(growing) >= size:
+                    growth.bare(parent)
+                    continue
                 growing.append(growth.add(parent, rng.choice(("and", "xor"))))
-            elif luck < 0.40:
+            elif luck < 0.465:
                 growth.add(parent, "xor")  # nobody can
-            elif luck < 0.42:
+            elif luck < 0.475:
                 growth.add(parent, "and")  # nothing to do
-            elif luck < 0.50 and coupled:
+            elif luck < 0.53 and coupled:
                 growth.team(parent)
-            elif luck < 0.75:
+            elif luck < 0.80:
                 growth.single(parent)
             else:
                 growth.bare(parent)
