@@ -40,11 +40,9 @@ ENDS = (
     | st.integers(min_value=-1, max_value=3)
     | st.sampled_from(["SearchTree(cat)", "Reach(mom)", "search-cat", "b", "c"])
 )
-PAIRS = (
-    st.lists(st.lists(ENDS, min_size=2, max_size=2) | st.tuples(ENDS, ENDS, KINDS).map(list), max_size=3)
-    | st.none()
-    | st.just({})
-)
+PAIR: st.SearchStrategy[list[Any]] = st.lists(ENDS, min_size=2, max_size=2) | st.tuples(ENDS, ENDS, KINDS).map(list)
+NONE: st.SearchStrategy[Any] = st.sampled_from([None, {}])
+PAIRS: st.SearchStrategy[Any] = st.lists(PAIR, max_size=3) | NONE
 JSON = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5),
     lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner, max_size=3),

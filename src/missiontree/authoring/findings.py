@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from missiontree.authoring.links import MAX_LINKS
-from missiontree.authoring.matching import did_you_mean
+from missiontree.authoring.matching import did_you_mean, listed
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.precedence import event_graph
 from missiontree.mission.reason import Reason
@@ -72,9 +72,8 @@ def _of_routine(node: MissionNode, brief: MissionBrief, scene: Scene) -> Iterato
     if routine is None:
         names = [known.id for known in brief.routines.routines]
         message = f"{node.label!r} ({node.id}) names routine {node.routine!r}, which is not on offer."
-        yield Reason(
-            rule="unknown_routine", message=message, node=node.id, hint=did_you_mean(node.routine or "", names)
-        )
+        hint = f"{did_you_mean(node.routine or '', names)} Routines are: {listed(names)}.".strip()
+        yield Reason(rule="unknown_routine", message=message, node=node.id, hint=hint)
         return
     if set(node.arguments) != set(routine.argument_kinds):
         message = f"{node.label!r} ({node.id}) has arguments {', '.join(node.arguments) or 'none'}."
@@ -100,9 +99,8 @@ def _of_routine(node: MissionNode, brief: MissionBrief, scene: Scene) -> Iterato
     for name in node.resources or ():
         if name not in brief.fleet.by_id:
             message = f"{node.label!r} ({node.id}) allows robot type {name!r}, which the fleet does not have."
-            yield Reason(
-                rule="unknown_robot", message=message, node=node.id, hint=did_you_mean(name, brief.fleet.by_id)
-            )
+            hint = f"{did_you_mean(name, brief.fleet.by_id)} Robot types are: {listed(brief.fleet.by_id)}.".strip()
+            yield Reason(rule="unknown_robot", message=message, node=node.id, hint=hint)
 
 
 def _of_order(tree: MissionTree) -> Iterator[Reason]:

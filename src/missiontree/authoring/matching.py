@@ -16,6 +16,9 @@ _ARTICLES = frozenset({"the", "a", "an"})
 _LINKING_WORDS = frozenset({"and", "with", "of", "for", "to", "in", "on", "at", "from", "her", "his", "its", "their"})
 _LONG_WORD = 5
 _LONGEST_SHOWN = 80
+_LONGEST_COMPARED = 200
+_ALIKE = 0.5
+_AS_ALIKE = 0.15
 
 
 def same_name(name: str) -> str:
@@ -50,7 +53,10 @@ def is_near(name: str, other: str) -> bool:
 def suggestions(name: str, known: Iterable[str], count: int = 3) -> list[str]:
     """Names that look most like the given one, best first; for a person or a model to pick from."""
     by_form = {same_name(candidate): candidate for candidate in known}
-    return [by_form[form] for form in difflib.get_close_matches(same_name(name)[:200], by_form, n=count, cutoff=0.4)]
+    form = same_name(name)[:_LONGEST_COMPARED]
+    near = difflib.get_close_matches(form, by_form, n=count, cutoff=_ALIKE)
+    likeness = [difflib.SequenceMatcher(None, found, form).ratio() for found in near]
+    return [by_form[found] for found, alike in zip(near, likeness, strict=True) if alike >= likeness[0] - _AS_ALIKE]
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
