@@ -1,0 +1,161 @@
+"""The exact allocator: right lists, honest claims, and no tree too deep or too wide."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from missiontree.allocation.kbest import REPORT_EVERY, ExactKBest
+from missiontree.mission.alternative import Ranking, RoleType
+from missiontree.mission.control import Control, Progress
+from missiontree.mission.estimate import Weights
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.grounded import GroundedTree
+from tests.builders import Spec, and_, grounded, leaf, trivial_fleet, xor_
+
+TWO_TYPES = trivial_fleet(("r", "s"), limits={"energy_j": 5})
+
+
+def rank(tree: GroundedTree, fleet: Fleet | None = None, k: int = 4, control: Control | None = None) -> Ranking:
+    return ExactKBest()(tree, fleet or trivial_fleet(), Weights(), k, control or Control())
+
+
+def task(name: str, r: float, s: float, energy: float = 3) -> Spec:
+    """A role that r does with one quality and s with another, either for the same energy."""
+    return xor_(
+        leaf(f"{name}_r", "r", name, quality=r, uses={"energy_j": energy}),
+        leaf(f"{name}_s", "s", name, quality=s, uses={"energy_j": energy}),
+        label=name,
+    )
+
+
+def binary_choices(count: int, **fields: Any) -> GroundedTree:
+    pairs = (
+        xor_(leaf(f"a{n}", role=f"r{n}", quality=1, **fields), leaf(f"b{n}", role=f"r{n}", quality=0, **fields))
+        for n in range(count)
+    )
+    return grounded(and_(*pairs))
+
+
+def test_the_best_that_keeps_the_budget() -> None:
+    # r is better at both (2 + 2) but has energy for one. Left: r, s = 2 + 1 = 3 and s, r = 1 + 2 = 3; s, s breaks s's budget.
+    result = rank(grounded(and_(task("x", 2, 1), task("y", 2, 1))), TWO_TYPES)
+    assert [alternative.utility for alternative in result.alternatives] == [3.0, 3.0]
+    assert result.alternatives[0].roles == (RoleType(0, "r"), RoleType(1, "s"))
+    assert (result.status, result.certificate.claim, result.examined) == ("exact", "proven", 4)
+    assert result.certificate.detail == "There are no more alternatives."
+    assert sorted(reason.robot for reason in result.reasons) == ["r", "s"]
+
+
+def test_each_rank_carries_its_proof() -> None:
+    result = rank(grounded(and_(task("x", 2, 1), task("y", 2, 1))), TWO_TYPES, k=1)
+    (only,) = result.alternatives
+    assert (only.rank, only.certificate.claim, only.certificate.bound) == (1, "proven", 3.0)
+    assert [(entry.role, entry.robot) for entry in only.witness] == [(0, "r-1"), (1, "s-1")]
+    # The second alternative is as good as the first, so 3.0 bounds what is not listed.
+    assert (result.status, result.certificate.bound) == ("exact", 3.0)
+
+
+def test_no_witness_where_nothing_couples() -> None:
+    assert rank(binary_choices(2)).alternatives[0].witness == ()
+
+
+def test_refusals_are_counted_not_listed() -> None:
+    """Teams of two on one robot: all four candidates break the same rule, and one reason says so."""
+    tree = grounded(
+        and_(xor_(leaf("a", role="x"), leaf("b", role="x")), xor_(leaf("c", role="y"), leaf("d", role="y"))),
+        teams={"x": 0, "y": 0},
+    )
+    result = rank(tree)
+    assert (result.status, result.certificate.claim, result.examined) == ("infeasible", "proven", 4)
+    (reason,) = result.reasons
+    assert (reason.rule, reason.robot, reason.severity) == ("too_few_robots", "r", "error")
+    assert reason.message.startswith("4 candidates were refused.")
+
+
+def test_a_quick_bound_spares_endless_enumeration() -> None:
+    """40 XORs of 2 have 2**40 ways, each of which uses 40 of 39."""
+    result = rank(binary_choices(40, uses={"energy_j": 1}), trivial_fleet(limits={"energy_j": 39}))
+    assert (result.status, result.certificate.claim, result.examined) == ("infeasible", "proven", 0)
+    assert result.reasons[0].needed == "energy_j 40"
+
+
+def test_an_impossible_mission_names_what_nobody_can_do() -> None:
+    result = rank(grounded(and_(leaf("a"), xor_(label="nobody"))))
+    assert (result.status, [reason.rule for reason in result.reasons]) == ("infeasible", ["no_robot_able"])
+    # Preorder: 0 and, 1 a, 2 nobody.
+    assert result.reasons[0].node == "2"
+
+
+def test_no_time_is_unknown_with_a_bound() -> None:
+    result = rank(binary_choices(3), control=Control(time_limit_s=0))
+    # Nothing was examined, and nothing is better than three times 1.
+    assert (result.status, result.alternatives, result.certificate.claim) == ("unknown", (), "bounded")
+    assert result.certificate.bound == 3.0
+
+
+def test_a_stop_token_keeps_what_was_found() -> None:
+    answers = iter([False, False, True])
+    result = rank(binary_choices(3), control=Control(stop=lambda: next(answers)))
+    # 3, then 2 three times: two are found, the next would have been 2.
+    assert [alternative.utility for alternative in result.alternatives] == [3.0, 2.0]
+    assert (result.status, result.certificate.claim, result.certificate.bound) == ("partial", "bounded", 2.0)
+    assert all(alternative.certificate.claim == "proven" for alternative in result.alternatives)
+
+
+def test_a_cap_on_candidates_stops_like_a_time_limit() -> None:
+    result = ExactKBest(max_examined=1)(binary_choices(3), trivial_fleet(), Weights(), 4, Control())
+    assert (result.status, result.examined, result.certificate.bound) == ("partial", 1, 2.0)
+
+
+def test_undecided_candidates_stay_and_say_so() -> None:
+    tree = grounded(and_(*(leaf(name, uses={"energy_j": used}) for name, used in (("a", 3), ("b", 2), ("c", 4)))))
+    fleet = trivial_fleet({"r": 2}, limits={"energy_j": 5})
+    result = ExactKBest(packing_steps=1)(tree, fleet, Weights(), 1, Control())
+    assert (result.status, result.alternatives[0].certificate.claim) == ("partial", "unproven")
+    assert rank(tree, fleet, k=1).alternatives[0].certificate.claim == "proven"
+
+
+def test_progress_is_told() -> None:
+    news: list[Progress] = []
+    rank(binary_choices(10), k=2 * REPORT_EVERY, control=Control(report=news.append))
+    assert [(told.stage, told.done, told.found) for told in news] == [
+        ("allocation", REPORT_EVERY, REPORT_EVERY),
+        ("allocation", 2 * REPORT_EVERY, 2 * REPORT_EVERY),
+        ("allocation", 2 * REPORT_EVERY, 2 * REPORT_EVERY),
+    ]
+
+
+def test_k_below_one_is_refused() -> None:
+    with pytest.raises(ValueError, match="k must be at least 1, got 0"):
+        rank(binary_choices(1), k=0)
+
+
+@pytest.mark.parametrize("chain_first", [True, False])
+def test_ten_thousand_levels(chain_first: bool) -> None:
+    """AND and XOR take turns; at every second level a choice of 1 or 0, so that ties reach to the bottom."""
+    spec = leaf("end")
+    for level in range(5_000):
+        choice = xor_(leaf(f"a{level}", quality=1), leaf(f"b{level}", quality=0))
+        chain = xor_(spec)
+        spec = and_(chain, choice) if chain_first else and_(choice, chain)
+    tree = grounded(spec)
+    result = rank(tree, k=4)
+    # All ones and the end make 5,001; then one of 5,000 choices is given up, a tie, settled by choice indices.
+    assert [alternative.utility for alternative in result.alternatives] == [5001.0, 5000.0, 5000.0, 5000.0]
+    assert result.status == "exact"
+    best, second = (set(alternative.choices) for alternative in result.alternatives[:2])
+    (switched,) = (choice.child for choice in second - best)
+    # Given up is the choice that comes last in preorder: the top one where the chain comes first, else the lowest.
+    assert tree.nodes[switched].label == ("b4999" if chain_first else "b0")
+
+
+def test_fifty_thousand_children() -> None:
+    leaves = [leaf(f"l{n}", quality=1) for n in range(45_000)]
+    choices = [xor_(leaf(f"a{n}", quality=1), leaf(f"b{n}", quality=0)) for n in range(5_000)]
+    result = rank(grounded(and_(*leaves, *choices)), k=3)
+    assert [alternative.utility for alternative in result.alternatives] == [50000.0, 49999.0, 49999.0]
+    # The last XOR is node 1 + 45,000 + 3 * 4,999; the second best switches it to its second child, two nodes on.
+    last = 1 + 45_000 + 3 * 4_999
+    assert [alternative.choices[-1].child - last for alternative in result.alternatives] == [1, 2, 1]
