@@ -189,8 +189,10 @@ def _found_before_used(library: RoutineLibrary, made: Composition) -> None:
     """Who is searched for is found before anything else is done with them, if no order is said."""
     leaves = list(_leaves(made.outline))
     order = _Order(made.outline)
-    for finder in leaves:
+    for finder in (leaf for leaf in leaves if leaf.routine is not None and found_by(leaf.routine, library)):
         for user in leaves:
+            if not {m.name for m in finder.mentions} & {m.name for m in user.mentions}:
+                continue
             if finder is user or not _shared(finder, user, library) or order.between(finder, user):
                 continue
             made.implied.append((finder, user))

@@ -165,14 +165,29 @@ def fill(template: str, bindings: Bindings) -> str:
 
 
 def found_by(routine: Routine, library: RoutineLibrary) -> frozenset[str]:
-    """Arguments whose position is known once the routine is done."""
-    found = {step.finds for branch in routine.branches for role in branch.roles for step in role.actions if step.finds}
-    for part in routine.parts:
-        inner = library.by_id[part.routine]
-        found |= {part.arguments.get(name, name) for name in found_by(inner, library)}
+    """Arguments whose position is known once the routine is done, its parts included."""
+    found: set[str] = set()
+    waiting = [(routine, {argument.name: argument.name for argument in routine.arguments})]
+    while waiting:
+        inner, outer_name = waiting.pop()
+        steps = (step for branch in inner.branches for role in branch.roles for step in role.actions)
+        found |= {outer_name[step.finds] for step in steps if step.finds is not None}
+        for part in inner.parts:
+            below = library.by_id[part.routine]
+            renamed = {a.name: outer_name[part.arguments.get(a.name, a.name)] for a in below.arguments}
+            waiting.append((below, renamed))
     return frozenset(found)
 
 
 def _open_ended(routine: Routine, library: RoutineLibrary) -> bool:
-    own = any(step.open_ended for branch in routine.branches for role in branch.roles for step in role.actions)
-    return own or any(_open_ended(library.by_id[part.routine], library) for part in routine.parts)
+    waiting = [routine]
+    seen: set[str] = set()
+    while waiting:
+        inner = waiting.pop()
+        if inner.id in seen:
+            continue
+        seen.add(inner.id)
+        if any(step.open_ended for branch in inner.branches for role in branch.roles for step in role.actions):
+            return True
+        waiting += [library.by_id[part.routine] for part in inner.parts]
+    return False

@@ -91,7 +91,7 @@ class GoalReader:
         self.speakers.next_clause()
         if clause.decisive:
             words = ", ".join(repr(word) for word in clause.decisive)
-            return _trouble("decisive_words", clause, f"{words} changes what is asked for, and is not understood here")
+            return _trouble("decisive_words", clause, f"the offline author does not know what to make of {words} there")
         if clause.verb is None:
             return self._no_verb(clause)
         if len(clause.words) > MAX_CLAUSE_WORDS:

@@ -157,7 +157,7 @@ class PhraseReader:
         return tuple(word for word in words[:count] if word.low != ","), words[count:]
 
     def _is_name(self, words: tuple[Word, ...]) -> bool:
-        if not 1 <= len(words) <= MAX_NAME_WORDS:
+        if not 1 <= len(words) <= MAX_NAME_WORDS or words[-1].low.endswith("'s"):
             return False
         lows = [word.low for word in words]
         known = self._known_words(lows)
