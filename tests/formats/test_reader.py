@@ -9,8 +9,8 @@ from missiontree.errors import InputError
 from missiontree.formats import source as source_module
 from missiontree.formats.place import Path
 from missiontree.formats.reader import parse
-from missiontree.formats.source import decode
 from missiontree.formats.yaml_reader import MAX_DEPTH
+from tests.formats.test_scalar import VALUES, WORDS
 
 # name, text, line, where, words of the message
 REFUSED = [
@@ -78,67 +78,6 @@ def test_json_files_must_be_json() -> None:
     assert parse('{"a": 1,\n"b": 2,}', "f.yaml").data == {"a": 1, "b": 2}  # a last comma is fine in YAML
 
 
-WORDS = [
-    "no",
-    "yes",
-    "on",
-    "off",
-    "y",
-    "n",
-    "No",
-    "12:30",
-    "0123",
-    "0x1F",
-    "0o7",
-    "1_000",
-    "2026-01-02",
-    "1.2.3",
-    "nan",
-    "inf",
-    "+",
-    ".",
-]
-
-
-@pytest.mark.parametrize("word", WORDS)
-def test_words_stay_words(word: str) -> None:
-    assert parse(f"a: {word}").data == {"a": word}
-    assert parse(f"{word}: 1").data == {word: 1}
-
-
-VALUES: list[tuple[str, object]] = [
-    ("true", True),
-    ("False", False),
-    ("null", None),
-    ("~", None),
-    ("", None),
-    ("12", 12),
-    ("-3", -3),
-    ("+4", 4),
-    ("0", 0),
-]
-VALUES += [
-    ("1.5", 1.5),
-    (".5", 0.5),
-    ("1.", 1.0),
-    ("1e3", 1000.0),
-    ("-2.5E-1", -0.25),
-    ("'12'", "12"),
-    ('"true"', "true"),
-]
-
-
-@pytest.mark.parametrize(("text", "value"), VALUES)
-def test_values_are_those_of_json(text: str, value: object) -> None:
-    data = parse(f"a: {text}").data
-    assert data == {"a": value}
-    assert type(data["a"]) is type(value)
-
-
-def test_core_tags_are_accepted() -> None:
-    assert parse("a: !!str 12\nb: !!float 2\nc: !!map {}\nd: ! 5").data == {"a": "12", "b": 2, "c": {}, "d": "5"}
-
-
 def test_lines_are_known_of_everything() -> None:
     yaml = "a:\n  - b\n  - c:\n      d\n# no\ne: 1\n"
     json = '{"a":\n  ["b",\n  {"c":\n "d"}],\n\n"e": 1}'
@@ -201,20 +140,6 @@ def test_size_is_capped(monkeypatch: pytest.MonkeyPatch) -> None:
         parse("abc: [1, 2]")
     assert caught.value.accepted == "at most 10 bytes"
     assert source_module.max_bytes("plan.json") > source_module.max_bytes("plan.yaml")
-
-
-@pytest.mark.parametrize(
-    ("raw", "line", "words"),
-    [
-        (b"a: 1\nb: \xff\n", 2, "byte 0xff is not UTF-8"),
-        ("a: 1".encode("utf-16"), 1, "UTF-16"),
-        ("a: é".encode("latin-1"), 1, "byte 0xe9 is not UTF-8"),
-    ],
-)
-def test_other_encodings_are_named(raw: bytes, line: int, words: str) -> None:
-    with pytest.raises(InputError, match=words) as caught:
-        decode(raw, "f.yaml")
-    assert (caught.value.line, caught.value.accepted) == (line, "UTF-8")
 
 
 def test_both_parsers_of_pyyaml_give_the_same(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -14,8 +14,8 @@ from missiontree.formats.document import KINDS, json_schema, read_text, write_te
 from missiontree.formats.reader import parse
 from missiontree.formats.schema import values_in
 from tests.formats.test_document import PARTS, drawn
-from tests.formats.test_validation import PLANNED
-from tests.formats.test_validation import REFUSED as MISSHAPEN
+from tests.formats.test_fault import REFUSED as MISSHAPEN
+from tests.formats.test_not_enforced import PLANNED
 
 VALIDATORS = {kind: Draft202012Validator(json_schema(kind)) for kind in KINDS}
 CLASSES = {cls.__name__: cls for kind in KINDS.values() for cls in values_in(kind)}
