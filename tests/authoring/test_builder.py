@@ -499,6 +499,15 @@ class TestLinks:
         assert "from 't4' to 't2' closes a cycle" in answer.reasons[0].message
         assert "t0" not in answer.reasons[0].message
 
+    def test_a_long_cycle_is_named_in_short(self, box: ToolBox) -> None:
+        """60 tasks in a row, and the first after the last: 61 names back to the first, of which 20 are shown."""
+        call = {"parentString": "Find", "isPrimitiveList": [False] * 60, "LogicalConstraint": "AND"}
+        names = [f"t{number}" for number in range(60)]
+        pairs = [[number, (number + 1) % 60] for number in range(60)]
+        answer = refused(box, "addMultiSubtasks", **call, taskNameList=names, constraintPairs=pairs)
+        assert "(41 more)" in answer.reasons[0].message
+        assert answer.reasons[0].message.count(" > ") == 20
+
     def test_until_and_waiting_for_the_end_is_a_cycle(self, box: ToolBox) -> None:
         """Find would last until Bring ends, which cannot start before Find has ended."""
         box.call("setLink", {"first": "Find", "second": "Bring"})

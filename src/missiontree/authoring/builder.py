@@ -23,7 +23,7 @@ from missiontree.authoring.matching import did_you_mean, listed, quoted, same_na
 from missiontree.authoring.naming import make_id
 from missiontree.authoring.nodes import find_node, find_parent
 from missiontree.authoring.routine_calls import RoutineCall, able_types, form_of, read_routine_call
-from missiontree.authoring.views import named, outline, state_of, told
+from missiontree.authoring.views import MOST_SHOWN, named, outline, state_of, told
 from missiontree.authoring.wire import RULE
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.frozen_map import FrozenMap
@@ -340,7 +340,7 @@ class TreeBuilder:
         state = replace(self.state, tree=with_links(grown, links), gates=gates)
         data: dict[str, Any] = {"parent": above.id, "added": named(nodes)}
         if links:
-            data["links"] = [[link.first, link.second, name_of_kind(link.kind)] for link in links]
+            data["links"] = [[link.first, link.second, name_of_kind(link.kind)] for link in links[:MOST_SHOWN]]
         return self._done(state, data | self._on_offer, notices)
 
     def _done(self, state: State, data: Mapping[str, Any], notices: tuple[Reason, ...] = ()) -> Answer:

@@ -30,6 +30,7 @@ class Cast:
         self.introduced = introduced
         self.added: list[Entity] = []
         self.assumptions: list[Reason] = []
+        self._scene: tuple[int, Scene] | None = None
 
     @property
     def everyone(self) -> tuple[Entity, ...]:
@@ -39,7 +40,10 @@ class Cast:
     @property
     def scene(self) -> Scene:
         """The world with the introduced entities."""
-        return self.brief.world.extended((*self.introduced, *self.added))
+        more = (*self.introduced, *self.added)
+        if self._scene is None or self._scene[0] != len(more):  # entities are only ever added
+            self._scene = (len(more), self.brief.world.extended(more))
+        return self._scene[1]
 
     def find(self, name: str) -> Entity | None:
         """

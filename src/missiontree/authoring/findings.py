@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from missiontree.authoring.links import MAX_LINKS
+from missiontree.authoring.links import MAX_LINKS, circle_in_words
 from missiontree.authoring.matching import did_you_mean, listed
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.precedence import event_graph
@@ -107,7 +107,7 @@ def _of_order(tree: MissionTree) -> Iterator[Reason]:
     circle = event_graph(tree).cycle()
     if circle is not None:
         names = [tree.nodes[index].id for index in circle]
-        message = f"The order is a cycle: {' > '.join([*names, names[0]])}. None of them could ever be done."
+        message = f"The order is a cycle: {circle_in_words(names)}. None of them could ever be done."
         yield Reason(rule="cycle", message=message, node=names[0], hint="Drop one of the links (dropLink).")
     for link in tree.links:
         fork = _parting(tree, link.first, link.second)

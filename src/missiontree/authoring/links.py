@@ -18,6 +18,7 @@ WIRE_KINDS: dict[str, LinkKind] = {
     "Until": "until",
 }
 MAX_LINKS = 20_000
+_LONGEST_CIRCLE = 20
 Pair = tuple[str | int, str | int, LinkKind]
 _OPPOSED = {("same_robot", "different_robot"), ("different_robot", "same_robot")}
 _FORM = 'Pairs are written [["a", "b"]] or [["a", "b", "Precedence"]]: a list of lists.'
@@ -131,7 +132,7 @@ def _check_cycles(tree: MissionTree, links: Sequence[Link]) -> None:
     names = [tree.nodes[index].id for index in circle]
     message = (
         f"{name_of_kind(link.kind)} from {link.first!r} to {link.second!r} closes a cycle: "
-        f"{' > '.join([*names, *names[:1]])}. None of them could ever be done."
+        f"{circle_in_words(names)}. None of them could ever be done."
     )
     raise refuse(
         "cycle", message, node=link.first, hint="Turn the pair round, leave it out, or drop another link (dropLink)."
@@ -147,6 +148,15 @@ def _graph(tree: MissionTree, links: Sequence[Link]) -> EventGraph:
 
 def _numbers(tree: MissionTree) -> dict[str, int]:
     return {node.id: index for index, node in enumerate(tree.nodes)}
+
+
+def circle_in_words(names: Sequence[str]) -> str:
+    """The nodes of a cycle in order, back to the first; the middle of a long one is left out, and said to be."""
+    shown = [*names, *names[:1]]
+    if len(shown) > _LONGEST_CIRCLE:
+        half = _LONGEST_CIRCLE // 2
+        shown = [*shown[:half], f"({len(shown) - 2 * half} more)", *shown[-half:]]
+    return " > ".join(shown)
 
 
 def name_of_kind(kind: LinkKind) -> str:

@@ -140,7 +140,7 @@ def _outcome(recording: Recording, builder: TreeBuilder, last: int) -> tuple[Aut
     if not reading:
         raise damaged(last, "reading is not a list of texts")
     if builder.state.impossible:
-        return "cannot_be_done", builder.state.impossible
+        return "cannot_be_done", (said if status == "cannot_be_done" and said else builder.state.impossible)
     faults = gate(builder.tree, builder.brief)
     if status == "complete":
         return ("incomplete", faults) if faults else ("complete", ())
