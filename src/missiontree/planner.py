@@ -146,7 +146,8 @@ def staff_and_schedule(
     Rank k alternatives that can be scheduled, and schedule them.
 
     An alternative that is proven unschedulable stays in the list, with the reason in its schedule, and one more is drawn; so
-    ranks never depend on schedules.
+    ranks never depend on schedules. One that is not proven either way counts among the k, but drawing goes on until some
+    alternative has a schedule.
     """
     brief, tree, wanted = request.brief, grounding.tree, request.k
     schedule_with, allocate = SCHEDULERS["greedy"], ALLOCATORS[request.allocator]
@@ -159,10 +160,11 @@ def staff_and_schedule(
                 done[alternative.choices] = schedule_with(tree, alternative, brief.fleet, scene, control.part(1 / left))
         schedules = tuple(done[alternative.choices] for alternative in ranking.alternatives)
         impossible = sum(schedule.status == "infeasible" for schedule in schedules)
-        enough = len(schedules) - impossible >= request.k or len(schedules) < wanted
-        if enough or control.ended() or wanted >= MAX_DRAWN:
+        scheduled = any(schedule.status in {"optimal", "feasible"} for schedule in schedules)
+        enough = (scheduled and len(schedules) - impossible >= request.k) or len(schedules) < wanted
+        if enough or control.ended() or wanted >= max(MAX_DRAWN, request.k):
             return ranking, schedules
-        wanted = min(request.k + impossible, max(MAX_DRAWN, request.k))
+        wanted = request.k + impossible if scheduled else wanted * 2
 
 
 def _told(

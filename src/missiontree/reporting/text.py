@@ -15,7 +15,7 @@ from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Outcome, Plan
 from missiontree.mission.reason import Reason, Severity
 from missiontree.mission.schedule import Schedule
-from missiontree.reporting.escape import terminal_safe
+from missiontree.reporting.escape import one_line
 from missiontree.reporting.timeline import timeline
 from missiontree.reporting.tree_view import tree_text
 
@@ -36,8 +36,8 @@ MAX_LINES = 12
 
 
 def words(text: str, style: str = "") -> Text:
-    """Text of a user's, harmless: never markup, never terminal control."""
-    return Text(terminal_safe(text), style=style)
+    """Text of a user's on one line, harmless: never markup, never terminal control."""
+    return Text(one_line(text), style=style)
 
 
 def plan_text(plan: Plan, width: int = 100) -> str:
@@ -62,8 +62,8 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
     yield Text.assemble((headline, style), ": ", words(plan.brief.text.strip() or "(no words)", "bold"))
     yield from _titled("How the words were read", [words(line) for line in plan.provenance.reading])
     yield from _titled("Why", [reason_line(reason) for reason in plan.reasons])
-    if plan.tree is not None:
-        yield from _titled("Mission tree", [words(tree_text(plan.tree).rstrip())])
+    if plan.tree is not None and len(plan.tree.nodes) > 1:
+        yield from _titled("Mission tree", [Text(tree_text(plan.tree).rstrip())])
     if plan.ranking is not None and plan.grounding is not None and plan.ranking.alternatives:
         yield from _titled(_ranking_title(plan.ranking), [alternatives_table(plan)])
         best = best_scheduled(plan)
@@ -71,7 +71,7 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
             title = f"Schedule of alternative {best.rank}: {seconds(best.makespan_s)}, {_known(best)}"
             yield from _titled(title, [timeline(best, plan)])
     not_offered = plan.grounding.not_offered if plan.grounding else ()
-    yield from _remarks("Not offered", not_offered)
+    yield from _titled("Not offered", _refusals(not_offered, plan))
     yield from _remarks("Look at", plan.findings)
     yield from _remarks("Done on your behalf", plan.notices)
     yield from _remarks("Assumed", plan.assumptions)
@@ -81,7 +81,7 @@ def _titled(title: str, body: Sequence[RenderableType]) -> Iterator[RenderableTy
     if body:
         yield Text("")
         yield Text(title, style="bold")
-        yield Padding(Group(*body), (0, 0, 0, 2))
+        yield Padding(Group(*body), (0, 0, 0, 2), expand=False)
 
 
 def _remarks(title: str, reasons: Sequence[Reason]) -> Iterator[RenderableType]:
@@ -89,6 +89,24 @@ def _remarks(title: str, reasons: Sequence[Reason]) -> Iterator[RenderableType]:
     if len(reasons) > MAX_LINES:
         lines.append(Text(f"… and {len(reasons) - MAX_LINES} more; --json lists them all", style="dim"))
     yield from _titled(title, lines)
+
+
+def _refusals(reasons: Sequence[Reason], plan: Plan) -> list[RenderableType]:
+    """Refusals that need a thought one by one, then plain lack of a capability, a line per routine and capability."""
+    lines: list[RenderableType] = [reason_line(reason) for reason in reasons if reason.rule != "capability_missing"]
+    lacking: dict[tuple[str, str], list[str]] = {}
+    for reason in reasons:
+        if reason.rule == "capability_missing":
+            lacking.setdefault((reason.node, reason.needed), []).append(reason.robot)
+    nodes = plan.tree.by_id if plan.tree else {}
+    types = plan.brief.fleet.by_id
+    for (node, needed), robots in lacking.items():
+        who = ", ".join(types[robot].label if robot in types else robot for robot in dict.fromkeys(robots))
+        task = nodes[node].label if node in nodes else node
+        lines.append(Text.assemble(("✗", "red"), " ", words(f"{task}: no {needed} in {who}", "dim")))
+    if len(lines) > MAX_LINES:
+        lines = [*lines[:MAX_LINES], Text(f"… and {len(lines) - MAX_LINES} more; --json lists them all", style="dim")]
+    return lines
 
 
 def reason_line(reason: Reason) -> Text:
@@ -150,7 +168,7 @@ def alternatives_table(plan: Plan) -> Table:
         table.add_row(
             str(alternative.rank),
             f"{alternative.utility:g}",
-            words("\n".join(team_lines(plan.grounding.tree, alternative, plan))),
+            Text("\n").join(words(line) for line in team_lines(plan.grounding.tree, alternative, plan)),
             seconds(schedule.makespan_s) if schedule and schedule.actions else "-",
             _verdict(alternative, schedule),
         )

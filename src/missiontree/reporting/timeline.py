@@ -12,7 +12,7 @@ from rich.text import Text
 
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
-from missiontree.reporting.escape import terminal_safe
+from missiontree.reporting.escape import one_line
 
 BAR_WIDTH = 48
 MAX_ROWS = 200
@@ -60,7 +60,7 @@ def _bars(by_robot: dict[str, list[Row]], makespan_s: float) -> Table:
             first = int(row.start_s / makespan_s * BAR_WIDTH) if makespan_s else 0
             last = max(first + 1, round(row.end_s / makespan_s * BAR_WIDTH)) if makespan_s else 1
             cells[first:last] = ("─" if row.moving else "█") * (min(last, BAR_WIDTH) - first)
-        table.add_row(Text(terminal_safe(robot), style="cyan"), Text("".join(cells[:BAR_WIDTH]), style="green"))
+        table.add_row(Text(one_line(robot), style="cyan"), Text("".join(cells[:BAR_WIDTH]), style="green"))
     scale = f"{makespan_s:.0f} s"
     table.add_row("", Text(f"0{scale:>{BAR_WIDTH - 1}}", style="dim"))
     return table
@@ -80,7 +80,7 @@ def _lists(by_robot: dict[str, list[Row]]) -> Table:
                 table.add_row("", "", "", Text(f"… and {left} more rows; --json has them all", style="dim"))
                 return table
             shown += 1
-            name = Text(terminal_safe(robot) if index == 0 else "", style="cyan")
+            name = Text(one_line(robot) if index == 0 else "", style="cyan")
             start, end = Text(f"{row.start_s:.1f}"), Text(f"{row.end_s:.1f} s")
-            table.add_row(name, start, end, Text(terminal_safe(row.text), style="dim" if row.moving else ""))
+            table.add_row(name, start, end, Text(one_line(row.text), style="dim" if row.moving else ""))
     return table

@@ -102,7 +102,8 @@ def _authored_node(node: MissionNode) -> ShapeNode:
     if node.routine is None:
         return ShapeNode(node.id, label, "" if node.children else "no routine yet", "task", node.gate)
     call = f"{node.routine}({', '.join(node.arguments.values())})"
-    notes = [call] if label != call else []
+    # A label that already reads as the call, with labels for ids, says it all: "Search(Red crate)" for Search(red_crate).
+    notes = [] if label.startswith(f"{node.routine}(") else [call]
     if node.resources is not None:
         notes.append(f"only {_listed(node.resources)}")
     return ShapeNode(node.id, label, ", ".join(notes), "routine", None)

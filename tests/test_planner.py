@@ -1,0 +1,202 @@
+"""The whole road: the numbers of the paper's missions, and what holds for every plan."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from missiontree import Plan, check, plan
+from missiontree.briefing import request_from
+from missiontree.errors import InputError
+from missiontree.formats.document import read_text, write_text
+from missiontree.mission.control import Control
+from missiontree.planner import plan_request
+from missiontree.reporting.text import plan_text
+from missiontree.samples.catalogue import SAMPLES, sample_file
+
+CARRIED = {"tele_robot", "transportation_robot"}
+LED = {"tele_robot", "social_robot"}
+
+
+def utilities(made: Plan) -> list[float]:
+    """Utilities in rank order."""
+    assert made.ranking is not None
+    return [alternative.utility for alternative in made.ranking.alternatives]
+
+
+def types(made: Plan, rank: int) -> set[str]:
+    """Robot types of an alternative."""
+    assert made.ranking is not None
+    return {filled.robot_type for filled in made.ranking.alternatives[rank - 1].roles}
+
+
+def texts(made: Plan, rank: int, robot_type: str) -> list[str]:
+    """What robots of a type do in the schedule of an alternative, in time."""
+    assert made.grounding is not None
+    tree, schedule = made.grounding.tree, made.schedules[rank - 1]
+    return [
+        tree.action(action.leaf).text
+        for action in schedule.actions
+        if tree.action(action.leaf).robot_type == robot_type
+    ]
+
+
+def test_reunite_gives_the_papers_four_alternatives() -> None:
+    made = plan("Reunite mom with her lost child", k=10)
+    assert made.outcome == "delivered"
+    # Search by a Tele-Robot: 3 actions of quality 1.0; reaching 2 * 0.3, bringing 2 * 1.0: 3 + 0.6 + 2 = 5.6, by either robot.
+    # Search by the Transportation Robot: 3 * 0.3 = 0.9; 0.9 + 2.6 = 3.5.
+    assert utilities(made) == [5.6, 5.6, 3.5, 3.5]
+    assert made.ranking is not None
+    assert made.ranking.status == "exact"
+    assert {frozenset(types(made, 1)), frozenset(types(made, 2))} == {frozenset(CARRIED), frozenset(LED)}
+    carrying = 1 if types(made, 1) == CARRIED else 2
+    assert texts(made, carrying, "tele_robot") == [
+        "Get search path to find Child",
+        "Detect Child",
+        "Report detection of Child to server",
+    ]
+    assert texts(made, carrying, "transportation_robot") == [
+        "Get Child location to reach",
+        "Get to Child location",
+        "Carry Child",
+        "Get to Mom location",
+    ]
+    assert texts(made, 3 - carrying, "social_robot") == [
+        "Get Child location to reach",
+        "Get to Child location",
+        "Display message to Child to follow Social Robot to Mom",
+        "Get to Mom location",
+    ]
+
+
+def test_reunite_searches_before_it_reunites() -> None:
+    made = plan("Reunite mom with her lost child")
+    assert made.tree is not None
+    routines = {node.routine: node for node in made.tree.nodes if node.routine}
+    assert set(routines) == {"Search", "ReachAndTransport"}
+    labels = [node.label for node in made.tree.nodes if node.routine is None]
+    assert labels[1:] == ["Locate the Lost Child", "Reunite the Child with Mom"]
+    assert made.tree.root.gate == "and"
+    assert made.grounding is not None
+    for schedule in made.schedules:
+        ends = [a.end_s for a in schedule.actions if made.grounding.tree.action(a.leaf).capability == "search"]
+        starts = [a.start_s for a in schedule.actions if made.grounding.tree.action(a.leaf).capability != "search"]
+        assert max(ends) <= min(starts)
+
+
+def test_rescue_keeps_kinds_and_says_why_a_message_is_not_offered() -> None:
+    made = plan("Rescue cat trapped in a building on fire", k=10)
+    # Two searches by Tele-Robots 3 + 3, carrying 2 * 0.3 + 2 * 1.0 = 2.6: 8.6. One search by the Transportation Robot costs 2.1.
+    assert utilities(made) == [8.6, 6.5, 6.5, 4.4]
+    assert made.grounding is not None
+    refused = [reason for reason in made.grounding.not_offered if reason.rule == "kind_refused"]
+    assert refused
+    assert "Cat is of kind animal" in refused[0].message
+    assert refused[0].message in plan_text(made, width=400)
+
+
+def test_rescue_without_kinds_gives_the_papers_eight() -> None:
+    made = plan("Rescue cat trapped in a building on fire", k=10, check_kinds=False)
+    assert utilities(made) == [8.6, 8.6, 6.5, 6.5, 6.5, 6.5, 4.4, 4.4]
+    assert {frozenset(types(made, 1)), frozenset(types(made, 2))} == {frozenset(CARRIED), frozenset(LED)}
+
+
+def test_rescue_searches_with_both_tele_robots_at_once() -> None:
+    made = plan("Rescue cat trapped in a building on fire")
+    assert made.grounding is not None
+    best = made.schedules[0]
+    searching = [a for a in best.actions if made.grounding.tree.action(a.leaf).robot_type == "tele_robot"]
+    assert {action.robot for action in searching} == {"tele_robot-1", "tele_robot-2"}
+    assert [action.start_s for action in searching].count(0.0) == 2
+
+
+@pytest.mark.parametrize(
+    "mission", ["Help the woman walking with heavy luggage", "Save the city from the monster destroying it"]
+)
+def test_the_papers_other_missions_are_delivered(mission: str) -> None:
+    made = plan(mission)
+    assert made.outcome == "delivered", made.reasons
+    assert made.tree is not None
+    assert not made.tree.open_leaves
+    assert all(schedule.status in {"optimal", "feasible"} for schedule in made.schedules)
+
+
+def test_restaurants_cannot_be_done_and_the_missing_capability_is_named() -> None:
+    made = plan("Recommend best Italian restaurants in the area")
+    assert made.outcome == "cannot_be_done"
+    assert any("recommend" in reason.message.lower() for reason in made.reasons)
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_every_sample_ends_well_and_the_same_way_twice(name: str) -> None:
+    first, second = plan(sample_file(name)), plan(sample_file(name))
+    assert first.outcome == ("cannot_be_done" if name == "restaurants" else "delivered"), first.reasons
+    text = write_text(first, "plan")
+    assert text == write_text(second, "plan")
+    assert read_text(text, "plan") == first
+    assert check(first) == ()
+
+
+def test_a_transcript_replays_to_the_same_tree(tmp_path: Path) -> None:
+    made = plan(sample_file("rescue"))
+    file = tmp_path / "dialogue.jsonl"
+    file.write_text("\n".join(made.provenance.transcript), encoding="utf-8")
+    again = plan(sample_file("rescue"), model=f"recorded:{file}")
+    assert again.tree == made.tree
+    assert again.ranking == made.ranking
+
+
+def test_the_site_says_what_it_could_not_offer_and_charges_travel() -> None:
+    made = plan(sample_file("site"))
+    assert made.grounding is not None
+    # The courier carries 15 kg, the red crate weighs 40 kg.
+    heavy = [r for r in made.grounding.not_offered if r.rule == "limit_too_low" and r.robot == "courier"]
+    assert heavy
+    assert "40" in heavy[0].message
+    assert sum(leg.distance_m for leg in made.schedules[0].legs) > 0
+
+
+def test_an_alternative_that_cannot_be_scheduled_keeps_its_rank_and_one_more_is_drawn(tmp_path: Path) -> None:
+    # The better carrier has 50 J and stands 99 m from the crate at 1 J a metre. Allocation counts an approach as 0 and ranks it
+    # first; a schedule charges the 99 J, so only the second alternative can be scheduled.
+    (tmp_path / "fleet.yaml").write_text(
+        "types:\n"
+        "  - {id: strong, count: 1, place: far, capabilities: {reach: 1, carry: 1},"
+        " limits: {max_speed_mps: 1, energy_j: 50}, uses_per_m: {energy_j: 1}}\n"
+        "  - {id: weak, count: 1, place: near, capabilities: {reach: 0.5, carry: 0.5}, limits: {max_speed_mps: 1}}\n"
+    )
+    (tmp_path / "scene.yaml").write_text(
+        "places: [{id: near, position: {x_m: 0, y_m: 0}}, {id: goal, position: {x_m: 9, y_m: 0}},"
+        " {id: far, position: {x_m: 99, y_m: 0}}]\n"
+        "entities: [{id: crate, place: near}]\n"
+        "roads: {roads: [{ends: [near, goal]}, {ends: [goal, far]}]}\n"
+    )
+    made = plan("Bring the crate to the goal", fleet=tmp_path / "fleet.yaml", scene=tmp_path / "scene.yaml", k=1)
+    assert made.outcome == "delivered"
+    assert made.schedules[0].status == "infeasible"
+    assert made.schedules[1].status in {"optimal", "feasible"}
+    assert types(made, 2) == {"weak"}
+    assert "cannot be scheduled" in plan_text(made)
+
+
+def test_time_zero_returns_a_named_outcome() -> None:
+    made = plan(sample_file("rescue"), control=Control(time_limit_s=0))
+    assert made.outcome in {"exhausted", "delivered"}
+    assert made.outcome == "delivered" or made.reasons
+
+
+def test_weights_change_the_ranking() -> None:
+    by_quality = plan(sample_file("site"))
+    request = request_from(sample_file("site"))
+    hurried = replace(request, brief=replace(request.brief, weights=replace(request.brief.weights, beta=0.1)))
+    by_time = plan_request(hurried, Control())
+    assert utilities(by_time)[0] < utilities(by_quality)[0]
+
+
+def test_inputs_that_do_not_fit_together_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "fleet.yaml").write_text("types: [{id: a, count: 1, place: moon, capabilities: {search: 1}}]")
+    with pytest.raises(InputError, match="place 'moon'"):
+        plan("Find the cat", fleet=tmp_path / "fleet.yaml")
