@@ -103,6 +103,13 @@ JOINED = {
     "Find the nurse. Then find the doctor.": "Search(Nurse); Search(Doctor) | Search(Nurse) < Search(Doctor)",
     "The robots must find the boy, then they must bring him to the school": "Search(Boy); ReachAndTransport(Boy, School)"
     " | Search(Boy) < ReachAndTransport(Boy, School)",
+    "Pick up the parcel and deliver it to Anna": "ReachAndTransport(Parcel, Anna)",
+    "Find the nurse, then get the medicine from the pharmacy and take it to her": "Search(Nurse); ReachAndTransport(Medicine, Nurse)"
+    " | Search(Nurse) < ReachAndTransport(Medicine, Nurse)",
+    "Before following the thief, pick up the parcel and deliver it to Anna": "Follow(Thief); ReachAndTransport(Parcel, Anna)"
+    " | ReachAndTransport(Parcel, Anna) < Follow(Thief)",
+    "Collect the keys, bring them to the lobby, then follow the thief": "ReachAndTransport(Keys, Lobby); Follow(Thief)"
+    " | ReachAndTransport(Keys, Lobby) < Follow(Thief)",
     "Find the nurse. Find the doctor.": "Search(Nurse); Search(Doctor)",
     "Find the nurse before going to the lobby": "Search(Nurse); Reach(Lobby) | Search(Nurse) < Reach(Lobby)",
     "Before going to the lobby, find the nurse": "Reach(Lobby); Search(Nurse) | Search(Nurse) < Reach(Lobby)",
@@ -167,6 +174,7 @@ NOT_UNDERSTOOD = [
     "Find",
     "Find the quickly",
     "Find the dog's",
+    "Pick up the parcel",
     "Give Anna the keys",
     "Find the dog, but do not wake the baby",
     "When the visitor arrives, guide her to the lobby",

@@ -24,6 +24,7 @@ from missiontree.authoring.outcome import Authored, AuthoringStatus
 from missiontree.authoring.reading import MAX_WORDS, clauses_of, words_of_text
 from missiontree.authoring.reading_entities import Mention
 from missiontree.authoring.reading_goals import Goal, GoalReader, Trouble, Unserved
+from missiontree.authoring.reading_taking import errands_joined
 from missiontree.authoring.tools import ToolBox
 from missiontree.authoring.transcript import Transcript
 from missiontree.formats.digest import canonical
@@ -62,7 +63,7 @@ def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None) ->
             "incomplete", (Reason(rule="mission_too_long", message=message, hint="Shorten it, or set a model."),)
         )
     reader = GoalReader(brief, library)
-    clauses = clauses_of(words, reader.lexicon)
+    clauses = errands_joined(clauses_of(words, reader.lexicon), reader.lexicon)
     results = [reader.read(clause, following) for clause, following in zip(clauses, (*clauses[1:], None), strict=False)]
     desk.reading = tuple(_line(clause.text, result) for clause, result in zip(clauses, results, strict=True))
     troubles = tuple(result.reason for result in results if isinstance(result, Trouble))
