@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 
 from missiontree.mission.fleet import RobotType
@@ -31,30 +32,51 @@ def may_use(robot_type: RobotType, way: Road | Lift) -> bool:
 
 
 def inside(point: Corner, area: Area) -> bool:
-    """Whether a point is inside an area and off its edge (even-odd rule)."""
-    x, y = point
-    odd = False
-    for (x1, y1), (x2, y2) in _edges(area):
-        if _gap(point, (x1, y1), (x2, y2)) <= NOISE_M:
-            return False
-        if (y1 > y) != (y2 > y) and x < x1 + (y - y1) * (x2 - x1) / (y2 - y1):
-            odd = not odd
-    return odd
+    """Whether a point is inside an area and off its edge."""
+    return _covers(point, area) and all(_gap(point, *edge) > NOISE_M for edge in _edges(area))
 
 
-def passes_through(start: Corner, end: Corner, area: Area) -> bool:
-    """Whether a straight line enters the inside of an area: it is cut at every edge and the middle of each piece is asked."""
+def passes_through(start: Corner, end: Corner, areas: Sequence[Area]) -> bool:
+    """
+    Whether a straight line enters the inside of closed areas, which count as one body: where two touch nobody slips between.
+
+    The line is cut wherever an edge may meet it. A piece is inside if the body covers both what is just left of its middle and
+    what is just right of it.
+    """
     dx, dy = end[0] - start[0], end[1] - start[1]
-    cuts = {0.0, 1.0}
-    for (x1, y1), (x2, y2) in _edges(area):
+    length = math.hypot(dx, dy)
+    if not NOISE_M < length < math.inf:
+        return False
+    left = (-dy / length * NOISE_M, dx / length * NOISE_M)
+    for low, high in pairwise(sorted(_cuts(start, (dx, dy), areas))):
+        middle = (low + high) / 2
+        x, y = start[0] + middle * dx, start[1] + middle * dy
+        sides = ((x + left[0], y + left[1]), (x - left[0], y - left[1]))
+        if (high - low) * length > NOISE_M and all(any(_covers(side, area) for area in areas) for side in sides):
+            return True
+    return False
+
+
+def _cuts(start: Corner, way: Corner, areas: Sequence[Area]) -> set[float]:
+    """Shares of a line where edges cross it, or corners lie beside it."""
+    (dx, dy), cuts = way, {0.0, 1.0}
+    for (x1, y1), (x2, y2) in (edge for area in areas for edge in _edges(area)):
         ex, ey = x2 - x1, y2 - y1
         turn = dx * ey - dy * ex
         if turn:
-            share = ((x1 - start[0]) * ey - (y1 - start[1]) * ex) / turn
-            if 0 < share < 1:
-                cuts.add(share)
-    middles = ((low + high) / 2 for low, high in pairwise(sorted(cuts)))
-    return any(inside((start[0] + share * dx, start[1] + share * dy), area) for share in middles)
+            cuts.add(((x1 - start[0]) * ey - (y1 - start[1]) * ex) / turn)
+        cuts.add(((x1 - start[0]) * dx + (y1 - start[1]) * dy) / (dx * dx + dy * dy))
+    return {share for share in cuts if 0 <= share <= 1}
+
+
+def _covers(point: Corner, area: Area) -> bool:
+    """Whether a point is inside, by the even-odd rule; on the edge either answer may come."""
+    x, y = point
+    odd = False
+    for (x1, y1), (x2, y2) in _edges(area):
+        if (y1 > y) != (y2 > y) and x < x1 + (y - y1) * (x2 - x1) / (y2 - y1):
+            odd = not odd
+    return odd
 
 
 def _edges(area: Area) -> zip[tuple[Corner, Corner]]:

@@ -33,7 +33,7 @@ class GridWays:
 
     def __init__(self, scene: Scene, grid: OccupancyGrid, robot_type: RobotType) -> None:
         self._grid = grid
-        areas = closed_areas(robot_type, scene, grid.floor)
+        self._areas = areas = closed_areas(robot_type, scene, grid.floor)
         cells = (
             (column, row)
             for row, marks in enumerate(reversed(grid.rows))
@@ -53,6 +53,8 @@ class GridWays:
         if {origin.floor, destination.floor} != {self._grid.floor} or not {start, goal} <= self._free:
             return math.inf
         here, there = (origin.x_m, origin.y_m), (destination.x_m, destination.y_m)
+        if any(inside(point, area) for point in (here, there) for area in self._areas):
+            return math.inf
         if start == goal:
             return math.dist(here, there)
         if start not in self._lengths:

@@ -45,7 +45,7 @@ def _round(areas: tuple[Area, ...], start: Corner, goal: Corner) -> float:
         return math.inf
 
     def free(first: Corner, second: Corner) -> bool:
-        return not any(passes_through(first, second, area) for area in areas)
+        return not passes_through(first, second, areas)
 
     if free(start, goal):
         return math.dist(start, goal)

@@ -37,6 +37,7 @@ class Movements:
 
     def __init__(self, case: Case, timetable: Timetable) -> None:
         self._case = case
+        self._timetable = timetable
         self._moves: dict[str, list[Deed]] = {}
         self._spots: dict[tuple[str, int], tuple[Spot, ...]] = {}
         for deed in sorted(timetable.deeds.values(), key=lambda deed: (deed.end, deed.start, deed.leaf)):
@@ -64,7 +65,7 @@ class Movements:
             if move.leaf == deed.leaf or move.end > deed.start:
                 continue
             there = self._spots_at(move.action.at, move, visiting) if move.action.at is not None else (None,)
-            certain = move.start < deed.start or (move.action.role == deed.action.role and move.leaf < deed.leaf)
+            certain = move.start < deed.start or self._timetable.surely_before(move.leaf, deed.leaf)
             found = there if certain else tuple(dict.fromkeys(found + there))
         self._spots[key] = found
         return found
@@ -94,7 +95,6 @@ def journeys(case: Case, timetable: Timetable) -> Iterator[Journey]:
             if deed.action.at is not None:
                 goals = movements.spots(deed.action.at, deed)
                 yield Journey(deed, spot, goals, free_from)
-                leg = timetable.legs.get((robot, deed.leaf))
-                reached = next((goal for goal in goals if leg is not None and goal == leg.destination), goals[0])
-                spot = reached if deed.action.moves or reached is not None else spot
+                if deed.action.moves or goals != (None,):
+                    spot = goals[0] if len(goals) == 1 else None  # at which of them it is, nobody can tell
             free_from = max(free_from, deed.end)

@@ -111,7 +111,7 @@ class RoadWays:
     def sees(self, first: Position, second: Position) -> bool:
         """Whether the straight line between two points of a floor keeps out of everything that is closed."""
         line = (first.x_m, first.y_m), (second.x_m, second.y_m)
-        return not any(passes_through(*line, area) for area in self._areas(first.floor))
+        return not passes_through(*line, self._areas(first.floor))
 
     def _areas(self, floor: str) -> tuple[Area, ...]:
         if floor not in self._closed:

@@ -73,25 +73,41 @@ class Timetable:
             robots.setdefault(deed.robot, []).append(deed)
         return {robot: tuple(deeds) for robot, deeds in sorted(robots.items())}
 
+    def surely_before(self, first: int, second: int) -> bool:
+        """Whether precedence and roles put one selected leaf before another."""
+        seen, stack = {first}, [first]
+        while stack:
+            later = [node for node in self._after[stack.pop()] if node not in seen]
+            if second in later:
+                return True
+            seen.update(later)
+            stack.extend(later)
+        return False
+
     @cached_property
-    def _place_in_order(self) -> dict[int, int]:
-        """Rank of every selected leaf in an order that keeps precedence, smallest leaf first."""
+    def _after(self) -> dict[int, list[int]]:
+        """What comes right after every selected leaf; a negative number is a gate between two nodes of a precedence."""
         after: dict[int, list[int]] = {leaf: [] for leaf in self.staffing.actions}
         for number, bond in enumerate(bond for bond in self.staffing.bonds if bond.kind == "precedence"):
-            gate = -1 - number  # stands between all leaves of the first node and all of the second
+            gate = -1 - number
             after[gate] = list(bond.second_leaves)
             for leaf in bond.first_leaves:
                 after[leaf].append(gate)
         for leaves in self.staffing.leaves_of_role.values():
             for earlier, later in pairwise(leaves):
                 after[earlier].append(later)
-        missing = Counter(later for successors in after.values() for later in successors)
-        ready = [node for node in sorted(after) if not missing[node]]
+        return after
+
+    @cached_property
+    def _place_in_order(self) -> dict[int, int]:
+        """Rank of every selected leaf in an order that keeps precedence, smallest leaf first."""
+        missing = Counter(later for successors in self._after.values() for later in successors)
+        ready = [node for node in sorted(self._after) if not missing[node]]
         place: dict[int, int] = {}
         while ready:
             node = heappop(ready)
             place[node] = len(place)
-            for later in after[node]:
+            for later in self._after[node]:
                 missing[later] -= 1
                 if not missing[later]:
                     heappush(ready, later)
