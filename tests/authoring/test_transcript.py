@@ -5,13 +5,14 @@ import pytest
 
 from missiontree.authoring.author import author_tree
 from missiontree.authoring.outcome import Authored
-from missiontree.authoring.transcript import replay
+from missiontree.authoring.transcript import Transcript, replay
 from missiontree.errors import InputError
 from missiontree.formats.document import write_text
 from missiontree.llm.recorded import RecordedModel
 from missiontree.llm.scripted import ScriptedModel, Turn
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.fleet import Fleet, RobotType
+from missiontree.mission.reason import Reason
 from tests.authoring.conftest import REUNITE
 
 SCRIPT: list[Turn] = [
@@ -120,6 +121,14 @@ def test_what_was_not_understood_stays_so(brief: MissionBrief) -> None:
     assert (again.status, again.reasons, again.reading) == ("incomplete", made.reasons, ("nothing",))
 
 
+def test_the_authors_own_remarks_are_kept(brief: MissionBrief) -> None:
+    """Those that no answer holds: the dialogue itself is empty here."""
+    notice = Reason(rule="reworded", message="Read otherwise.", severity="notice")
+    assumption = Reason(rule="guessed", message="Taken so.", severity="assumption")
+    again = replay(Transcript(brief, "offline").end("incomplete", (), (), (notice, assumption)), brief)
+    assert (again.notices, again.assumptions) == ((notice,), (assumption,))
+
+
 def test_a_status_that_the_calls_do_not_bear_out_is_not_believed(brief: MissionBrief) -> None:
     made = author_tree(brief, ScriptedModel(SCRIPT[:1]))
     assert made.status == "incomplete"
@@ -146,8 +155,9 @@ def test_a_status_that_the_calls_do_not_bear_out_is_not_believed(brief: MissionB
         (5, {"ok": False}, "is accepted now and was refused"),
         (6, {"ok": True}, "is refused now and was accepted"),
         (13, {"status": "splendid"}, "no status 'splendid'"),
-        (13, {"reasons": [7]}, "a reason is none"),
-        (13, {"reasons": [{"rule": "x y", "message": "m"}]}, "a reason is none"),
+        (13, {"reasons": [7]}, "one of the reasons is none"),
+        (13, {"reasons": [{"rule": "x y", "message": "m"}]}, "one of the reasons is none"),
+        (13, {"remarks": [{"rule": "r"}]}, "one of the remarks is none"),
         (13, {"reading": [7]}, "reading is not a list of texts"),
     ],
 )

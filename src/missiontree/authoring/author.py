@@ -83,7 +83,7 @@ def author_tree(
         status, reasons = "incomplete", tuple(doubts)
     elif status == "incomplete":
         reasons = (*doubts, *reasons)
-    said = dialogue.notices
+    said = tuple(dict.fromkeys(dialogue.notices))
     return Authored(
         status=status,
         tree=dialogue.box.builder.tree,

@@ -60,10 +60,31 @@ class Transcript:
         """Keep the answer to a call."""
         self.lines.append(answer_line(call.id, answer.ok, answer.text))
 
-    def end(self, status: AuthoringStatus, reasons: Sequence[Reason], reading: Sequence[str] = ()) -> tuple[str, ...]:
-        """Keep what it came to, and give all lines."""
-        plain = [to_plain(reason) for reason in reasons]
-        self.lines.append(line_of({"kind": "end", "status": status, "reasons": plain, "reading": list(reading)}))
+    def end(
+        self,
+        status: AuthoringStatus,
+        reasons: Sequence[Reason],
+        reading: Sequence[str] = (),
+        remarks: Sequence[Reason] = (),
+    ) -> tuple[str, ...]:
+        """
+        Keep what it came to, and give all lines.
+
+        Parameters
+        ----------
+        status, reasons, reading
+            See :class:`Authored`.
+        remarks
+            Notices and assumptions of the author's own, which no answer holds.
+        """
+        plain = {
+            "kind": "end",
+            "status": status,
+            "reasons": [to_plain(reason) for reason in reasons],
+            "reading": list(reading),
+            "remarks": [to_plain(remark) for remark in remarks],
+        }
+        self.lines.append(line_of(plain))
         return tuple(self.lines)
 
 
@@ -90,9 +111,11 @@ def replay(lines: Sequence[str], brief: MissionBrief) -> Authored:
     same_inputs = recording.mission == digest(brief)
     builder = TreeBuilder(brief)
     answers = _answers(recording, ToolBox(builder), same_inputs)
-    notices = [notice for answer in answers for notice in answer.notices]
+    said = [notice for answer in answers for notice in answer.notices]
+    said += _reasons(recording, "remarks", len(lines))
     if not same_inputs:
-        notices.append(_OTHER_INPUTS)
+        said.append(_OTHER_INPUTS)
+    notices = tuple(dict.fromkeys(said))
     status, reasons = _outcome(recording, builder, len(lines))
     return Authored(
         status=status,
@@ -132,12 +155,8 @@ def _outcome(recording: Recording, builder: TreeBuilder, last: int) -> tuple[Aut
     status = recording.end["status"]
     if status not in get_args(AuthoringStatus):
         raise damaged(last, f"there is no status {status!r}", accepted=", ".join(get_args(AuthoringStatus)))
-    try:
-        said = tuple(Reason(**reason) for reason in recording.end["reasons"])
-        reading = all(isinstance(line, str) for line in recording.end["reading"])
-    except (TypeError, ValueError) as error:
-        raise damaged(last, f"a reason is none: {error}") from error
-    if not reading:
+    said = _reasons(recording, "reasons", last)
+    if not all(isinstance(line, str) for line in recording.end["reading"]):
         raise damaged(last, "reading is not a list of texts")
     if builder.state.impossible:
         return "cannot_be_done", (said if status == "cannot_be_done" and said else builder.state.impossible)
@@ -147,6 +166,14 @@ def _outcome(recording: Recording, builder: TreeBuilder, last: int) -> tuple[Aut
     if status == "cannot_be_done":
         raise damaged(last, "the mission is said to be impossible, and no call declares it")
     return status, said
+
+
+def _reasons(recording: Recording, key: str, last: int) -> tuple[Reason, ...]:
+    """The reasons that the end line holds under a key."""
+    try:
+        return tuple(Reason(**plain) for plain in recording.end[key])
+    except (TypeError, ValueError) as error:
+        raise damaged(last, f"one of the {key} is none: {error}") from error
 
 
 def _word(ok: bool) -> str:

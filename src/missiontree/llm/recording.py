@@ -20,7 +20,7 @@ _CALL_KEYS = {"id": str, "name": str, "arguments": str}
 _KEYS: dict[str, dict[str, type]] = {
     "message": {"speaker": str, "text": str, "calls": list},
     "answer": {"call": str, "ok": bool, "text": str},
-    "end": {"status": str, "reasons": list, "reading": list},
+    "end": {"status": str, "reasons": list, "reading": list, "remarks": list},
 }
 _SPEAKERS = {"system", "user", "assistant"}
 
@@ -50,7 +50,7 @@ class Recording:
     entries
         Messages and answers with the lines they stand on.
     end
-        What the dialogue came to: ``status``, ``reasons``, ``reading``.
+        What the dialogue came to: ``status``, ``reasons``, ``reading``, ``remarks``.
     """
 
     source: str
