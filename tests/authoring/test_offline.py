@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from missiontree.authoring.methods import built_in_methods
+from missiontree.authoring.methods import MethodLibrary, built_in_methods, read_methods
 from missiontree.authoring.offline import author_offline
 from missiontree.authoring.outcome import Authored
 from missiontree.formats.document import read_file
@@ -162,6 +162,26 @@ def test_load_that_nobody_can_carry_cannot_be_done_and_the_limits_are_named() ->
     made = authored("Bring the safe to Anna", HALL, fleet=weak)
     assert made.status == "cannot_be_done"
     assert any("900" in reason.needed + reason.message for reason in made.reasons)
+
+
+def test_way_that_nobody_can_do_is_left_out_of_an_either_or_with_a_notice() -> None:
+    """Of two ways to bring two together, the one in which 900 kg are carried falls away."""
+    text = """format: methods/1
+methods:
+  - id: together
+    purpose: One is brought to the other.
+    says: ["<reunite> {one} with {other}"]
+    steps:
+      - task: "Bring {the one} and {the other} Together"
+        gate: xor
+        steps: [{do: "ReachAndTransport(one, other)"}, {do: "ReachAndTransport(other, one)"}]
+"""
+    weak = replace(FLEET, types=tuple(replace(kind, limits={"payload_kg": 90.0}) for kind in FLEET.types))
+    brief = MissionBrief(text="Reunite Anna with the safe", fleet=weak, routines=built_in(), scene=HALL)
+    made = author_offline(brief, MethodLibrary(methods=read_methods(text, "own.yaml").methods))
+    assert made.status == "complete", made.reasons
+    assert calls(made) == ["ReachAndTransport(anna, safe)"]
+    assert "no_robot_able" in rules(made)
 
 
 def test_verbs_of_a_users_routine_are_understood_without_a_method() -> None:
