@@ -114,13 +114,13 @@ def _rules(problem: Problem, alternative: Alternative, runs: int, seed: int) -> 
     yield Rule("none")
     if witness:
         yield from (Rule(crew, binding=witness) for crew in _CREWS)
-    yield from (Rule(crew, urgency) for urgency in (1, 2, 4) for crew in _CREWS[:2])
-    rng = random.Random(seed)  # noqa: S311 - variation, not secrecy
     spread = max(1, problem.bounds.makespan // 4)
+    yield from (Rule(crew, patience) for patience in (spread // 16, spread // 4, spread) for crew in _CREWS[:2])
+    rng = random.Random(seed)  # noqa: S311 - variation, not secrecy
     for number in range(runs):
         jitter = {activity: rng.randrange(spread) for activity in range(len(problem.graph.activities))}
         binding = witness if number % 4 == 3 else {}
-        yield Rule(_CREWS[number % 3], rng.choice((0, 0, 1, 2)), jitter, binding)
+        yield Rule(_CREWS[number % 3], rng.choice((0, 0, spread // 16, spread // 4)), jitter, binding)
     for binding in islice(_bindings(problem), MAX_BINDINGS):
         yield from (Rule(crew, binding=binding) for crew in _CREWS[:2])
 

@@ -2,8 +2,9 @@
 One run of serial schedule generation (Kelley 1963; Kolisch 1996), for robots that are held in roles and travel.
 
 Of all actions that may begin, the one that can begin earliest is put at the end of its robots' timelines; of equals the one with
-the longest way still to go; of those the first leaf. A lazy heap keeps the choice cheap: an entry's time can only be too early, and
-is put right when it comes up.
+the longest way still to go; of those the first leaf. Lazy heaps keep the choice cheap: an entry's time can only be too early, and is
+put right when it comes up. Roles that are about to begin stand in a queue per robot type, which comes up when a robot of the
+type is free, so that ten thousand of them cost no more than one.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ from missiontree.scheduling.trips import Spot, Trip, Trips
 from missiontree.scheduling.world_state import RobotState, WorldState
 
 Crew = Literal["joint", "bundle", "none"]
+_LOOK = 16  # roles of a queue that are compared where travel makes a difference
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,8 +66,8 @@ class Rule:
     crew
         Robots taken at once when a role begins: for the roles it works with ``joint``-ly, for its whole ``bundle`` (which then
         waits until all that it needs from outside is settled), or ``none`` but its own.
-    urgency
-        Quarters of the remaining path taken off the start when actions are compared. 0 (default): the earliest start goes first.
+    patience
+        Ticks that a robot may idle for the sake of a role with more to follow. 0 (default): the earliest start goes first.
     jitter
         Added to the remaining path, by activity.
     binding
@@ -73,7 +75,7 @@ class Rule:
     """
 
     crew: Crew = "joint"
-    urgency: int = 0
+    patience: int = 0
     jitter: Mapping[int, int] = field(default_factory=dict)
     binding: Mapping[int, str] = field(default_factory=dict)
 
@@ -116,6 +118,18 @@ class _StuckError(Exception):
 
 
 @dataclass(slots=True)
+class _Queue:
+    """Roles that may begin with any robot of a type, or with one robot: ``later`` by ready time, ``now`` by remaining path."""
+
+    number: int
+    type_id: str
+    robot: RobotState | None
+    later: list[tuple[int, int]] = field(default_factory=list)
+    now: list[tuple[int, int, int]] = field(default_factory=list)
+    key: int | None = None
+
+
+@dataclass(slots=True)
 class _Offer:
     start: int
     robots: dict[int, RobotState]  # by role, of the activity
@@ -137,17 +151,20 @@ class Run:
     def __init__(self, problem: Problem, rule: Rule) -> None:
         self._p, self._rule, self._graph = problem, rule, problem.graph
         self._world = WorldState(problem.fleet, problem.trips)
-        self._by_type: dict[str, list[RobotState]] = {}
+        self._active: dict[str, list[RobotState]] = {kind.id: [] for kind in problem.fleet.types}
+        self._fresh: dict[str, dict[object, list[RobotState]]] = {kind.id: {} for kind in problem.fleet.types}
         for robot in self._world.robots.values():
-            self._by_type.setdefault(robot.type_id, []).append(robot)
+            look = (robot.spot, tuple(sorted(robot.left.items())))
+            self._fresh[robot.type_id].setdefault(look, []).append(robot)
         self._totals = {kind.id: dict(kind.total_limits) for kind in problem.fleet.types}
         self._time = [0] * len(self._graph.successors)
         self._missing = indegrees(self._graph.successors)
         self._next = dict.fromkeys(self._graph.roles, 0)
         self._robot_of_group: dict[int, RobotState] = {}
-        self._heap: list[tuple[int, int, int, int]] = []
-        self._keys: dict[int, int | None] = {}  # of activities that may begin; None: waiting for a robot
-        self._waiting: dict[str, dict[int, None]] = {}  # by robot type: activities that may begin and take a robot
+        self._heap: list[tuple[int, int, int]] = []  # time, 0 and an activity under way in its roles, or 1 and a queue
+        self._queues: dict[str, _Queue] = {}
+        self._queue_list: list[_Queue] = []
+        self._aside: dict[str, dict[int, None]] = {}  # by type: roles that found not all the robots they need
         self._bundle_missing = indegrees(problem.bundles.after)
         self._bundle_left = list(problem.bundles.leaves)
         self._gated: dict[int, list[int]] = {}
@@ -166,17 +183,8 @@ class Run:
             self._settle([event for event, count in enumerate(self._missing) if not count])
             commits = 0
             while self._heap:
-                key, _, _, activity = heapq.heappop(self._heap)
-                if self._keys.get(activity) != key:
-                    continue
-                offer = self._offer(activity)
-                if offer is None:
-                    self._keys[activity] = None
-                elif (true_key := self._key(activity, offer.start)) > key:
-                    self._push(activity, offer.start)
-                    assert true_key > key
-                else:
-                    self._commit(activity, offer)
+                time, which, number = heapq.heappop(self._heap)
+                if self._go_on(time, number) if which == 0 else self._open(time, self._queue_list[number]):
                     commits += 1
                     if commits % 256 == 0 and ended():
                         return None
@@ -219,12 +227,10 @@ class Run:
         if self._rule.crew == "bundle" and self._bundle_missing[crew]:
             self._gated.setdefault(crew, []).append(activity)
             return
-        for leaf in self._graph.activities[activity]:
-            role = self._graph.tree.action(leaf).role
-            if not self._next[role]:
-                for mate in self._crews[crew]:
-                    self._waiting.setdefault(self._p.staffing.type_of[mate], {})[activity] = None
-        self._push(activity, self._time[2 * activity])
+        if self._opening(activity):
+            self._line_up(activity)
+        else:
+            heapq.heappush(self._heap, (self._time[2 * activity], 0, activity))
 
     def _open_bundles(self, bundles: list[int]) -> None:
         stack = list(bundles)
@@ -241,22 +247,122 @@ class Run:
     def _role(self, activity: int) -> int:
         return self._graph.tree.action(self._graph.activities[activity][0]).role
 
-    def _key(self, activity: int, start: int) -> int:
-        return 4 * start - self._rule.urgency * self._p.bounds.tails[2 * activity] if self._rule.urgency else 4 * start
+    def _opening(self, activity: int) -> list[int]:
+        """Roles that begin with this activity."""
+        roles = (self._graph.tree.action(leaf).role for leaf in self._graph.activities[activity])
+        return [role for role in roles if not self._next[role]]
 
-    def _push(self, activity: int, start: int) -> None:
-        key = self._key(activity, start)
-        self._keys[activity] = key
-        tail = self._p.bounds.tails[2 * activity] + self._rule.jitter.get(activity, 0)
-        heapq.heappush(self._heap, (key, -tail, self._graph.activities[activity][0], activity))
+    def _queue_of(self, activity: int) -> _Queue:
+        role = self._opening(activity)[0]
+        robot, type_id = self._bound(role), self._p.staffing.type_of[role]
+        name = type_id if robot is None else f"{type_id}/{robot.id}"
+        queue = self._queues.get(name)
+        if queue is None:
+            queue = self._queues[name] = _Queue(len(self._queue_list), type_id, robot)
+            self._queue_list.append(queue)
+        return queue
 
-    def _wake(self, type_id: str, time: int) -> None:
-        """A robot of the type is free again: what waits for one may begin sooner than thought."""
-        for activity in list(self._waiting.get(type_id, ())):
-            start = max(time, self._time[2 * activity])
-            key = self._keys[activity]
-            if key is None or key > self._key(activity, start):
-                self._push(activity, start)
+    def _bound(self, role: int) -> RobotState | None:
+        """The robot that a role must take, if that is settled."""
+        group = self._p.staffing.group_of[role]
+        if group in self._robot_of_group:
+            return self._robot_of_group[group]
+        return self._world.robots[self._rule.binding[group]] if group in self._rule.binding else None
+
+    def _line_up(self, activity: int) -> None:
+        queue = self._queue_of(activity)
+        heapq.heappush(queue.later, (self._time[2 * activity], activity))
+        self._call(queue)
+
+    def _call(self, queue: _Queue) -> None:
+        """Let a queue come up when its first role could begin, if a robot is free at all."""
+        free = self._free_from(queue)
+        if free is None or not (queue.now or queue.later):
+            return
+        time = free if queue.now else max(free, queue.later[0][0])
+        if queue.key is None or time < queue.key:
+            queue.key = time
+            heapq.heappush(self._heap, (time, 1, queue.number))
+
+    def _free_from(self, queue: _Queue) -> int | None:
+        if queue.robot is not None:
+            return queue.robot.free_at if queue.robot.role is None else None
+        if any(self._fresh[queue.type_id].values()):
+            return 0
+        free = (r.free_at for r in self._active[queue.type_id] if r.role is None and r.promised is None)
+        return min(free, default=None)
+
+    def _wake(self, robot: RobotState) -> None:
+        """A robot is free again: queues for it come up, and roles that were put aside line up anew."""
+        for activity in self._aside.pop(robot.type_id, {}):
+            if activity not in self._ends:
+                self._line_up(activity)
+        for name in (robot.type_id, f"{robot.type_id}/{robot.id}"):
+            if name in self._queues:
+                self._call(self._queues[name])
+
+    # --- what comes next --------------------------------------------------------------------------------------------
+
+    def _go_on(self, time: int, activity: int) -> bool:
+        """Put the next activity of roles under way into the schedule, or put its time right."""
+        offer = self._offer(activity)
+        assert offer is not None, "robots in their roles are there"
+        if offer.start > time:
+            heapq.heappush(self._heap, (offer.start, 0, activity))
+            return False
+        self._commit(activity, offer)
+        return True
+
+    def _open(self, time: int, queue: _Queue) -> bool:
+        """Begin the role of a queue that can begin earliest, or put the queue's time right."""
+        if queue.key != time:
+            return False
+        queue.key = None
+        free = self._free_from(queue)
+        if free is None or free > time:
+            self._call(queue)
+            return False
+        limit = time + self._rule.patience
+        looked, best = self._look(queue, limit)
+        for entry in looked:
+            if best is None or entry[-1] != best[0] or best[1].start > limit:
+                heapq.heappush(queue.now, entry)
+        if best is None:
+            self._call(queue)
+        elif best[1].start > limit:
+            queue.key = best[1].start
+            heapq.heappush(self._heap, (queue.key, 1, queue.number))
+        else:
+            self._commit(*best)
+            self._call(queue)
+            return True
+        return False
+
+    def _look(self, queue: _Queue, limit: int) -> tuple[list[tuple[int, int, int]], tuple[int, _Offer] | None]:
+        """The first few roles of a queue, those with the longest way to go, and the one of them that can begin earliest."""
+        while queue.later and queue.later[0][0] <= limit:
+            activity = heapq.heappop(queue.later)[1]
+            tail = self._p.bounds.tails[2 * activity] + self._rule.jitter.get(activity, 0)
+            heapq.heappush(queue.now, (-tail, self._graph.activities[activity][0], activity))
+        looked: list[tuple[int, int, int]] = []
+        best: tuple[int, _Offer] | None = None
+        while queue.now and len(looked) < _LOOK and (best is None or best[1].start > limit):
+            entry = heapq.heappop(queue.now)
+            activity = entry[-1]
+            if activity in self._ends:
+                continue
+            if self._queue_of(activity) is not queue:
+                self._line_up(activity)
+                continue
+            offer = self._offer(activity)
+            if offer is None:
+                for mate in self._crews[self._crew_of[self._role(activity)]]:
+                    self._aside.setdefault(self._p.staffing.type_of[mate], {})[activity] = None
+                continue
+            looked.append(entry)
+            if best is None or offer.start < best[1].start:
+                best = activity, offer
+        return looked, best
 
     # --- who could do it, and when ----------------------------------------------------------------------------------
 
@@ -320,23 +426,12 @@ class Run:
 
     def _candidates(self, role: int, ready: int) -> list[RobotState]:
         """Free robots that may fill a role: the earliest to begin first, then the least idle, then the nearest."""
-        group = self._p.staffing.group_of[role]
-        bound = self._robot_of_group.get(group)
-        if bound is None and group in self._rule.binding:
-            bound = self._world.robots[self._rule.binding[group]]
-        pool = [bound] if bound is not None else self._by_type[self._p.staffing.type_of[role]]
+        group, bound = self._p.staffing.group_of[role], self._bound(role)
         action = self._graph.tree.action(self._graph.roles[role][0])
         ranked: list[tuple[int, int, float, int, RobotState]] = []
-        fresh: set[object] = set()
-        crowded = self._crowded(role)
-        for robot in pool:
+        for robot in [bound] if bound is not None else self._pool(role):
             if robot.role is not None or robot.promised not in (None, self._crew_of[role]):
                 continue
-            if not robot.used and bound is None and robot.promised is None:
-                look = (robot.spot, tuple(sorted(robot.left.items())))
-                if look in fresh and not crowded:
-                    continue  # interchangeable with one that is listed already
-                fresh.add(look)
             if group not in self._robot_of_group and self._p.staffing.avoids[group] & robot.wears:
                 continue
             trip = self._trip(robot, action)
@@ -349,11 +444,13 @@ class Run:
             ranked.append((begin, -robot.free_at, 0.0 if trip is None else trip.metres, robot.index, robot))
         return [entry[-1] for entry in sorted(ranked, key=lambda entry: entry[:-1])]
 
-    def _crowded(self, role: int) -> bool:
-        """Whether several robots are chosen at once, so that one of each kind is not enough."""
+    def _pool(self, role: int) -> list[RobotState]:
+        """Robots of the type; of those that are alike and unused, as many as could be taken at once."""
+        type_id = self._p.staffing.type_of[role]
         first = self._graph.activity_of[self._graph.roles[role][0]]
         together = 1 if self._rule.crew == "none" else len(self._crews[self._crew_of[role]])
-        return together > 1 or len(self._graph.activities[first]) > 1
+        many = max(together, len(self._graph.activities[first]))
+        return self._active[type_id] + [robot for alike in self._fresh[type_id].values() for robot in alike[:many]]
 
     def _affords(self, robot: RobotState, role: int, trip: Trip | None) -> bool:
         """Whether the robot's budgets last for its group of roles, as far as can be foreseen."""
@@ -418,18 +515,23 @@ class Run:
             done.append((leaf, robot))
         for _, action in actions:
             self._world.do(offer.robots[action.role], action, start, start + length)
-            for mate in self._crews[self._crew_of[action.role]]:
-                self._waiting.get(self._p.staffing.type_of[mate], {}).pop(activity, None)
-        del self._keys[activity]
         self._ends[activity] = (length, done)
         self._time[2 * activity] = start
         self._time[2 * activity + 1] = max(self._time[2 * activity + 1], start + length)
+        for role in offer.mates:
+            first = self._graph.activity_of[self._graph.roles[role][0]]
+            if not self._missing[2 * first] and first not in self._ends:
+                self._line_up(first)  # now in the queue of its own robot
         self._settle([2 * activity])
 
     def _bind(self, role: int, robot: RobotState) -> None:
         self._robot_of_group[self._p.staffing.group_of[role]] = robot
         robot.wears |= self._p.staffing.wears[self._p.staffing.group_of[role]]
-        robot.used = True
+        if not robot.used:
+            robot.used = True
+            look = (robot.spot, tuple(sorted(robot.left.items())))
+            self._fresh[robot.type_id][look].remove(robot)
+            self._active[robot.type_id].append(robot)
 
     def _charge(self, robot: RobotState, action: Action, trip: Trip | None) -> None:
         kind = self._p.fleet.by_id[robot.type_id]
@@ -472,7 +574,7 @@ class Run:
             if not self._bundle_left[bundle]:
                 bundles.append(bundle)
         for robot in released:
-            self._wake(robot.type_id, end)
+            self._wake(robot)
         self._open_bundles(bundles)
 
     def _release(self, role: int, robot: RobotState) -> None:
@@ -487,9 +589,8 @@ class Run:
     def _deadlock(self) -> Reason:
         held = [robot for robot in self._world.robots.values() if robot.role is not None]
         roles = self._graph.tree.roles
-        waits = sorted(self._keys) or [
-            a for a in range(len(self._graph.activities)) if self._graph.activities[a][0] not in self._done
-        ]
+        waits = [activity for activity in range(len(self._graph.activities)) if activity not in self._ends]
+        waits = [activity for activity in waits if not self._missing[2 * activity]] or waits
         what = self._graph.name(self._graph.activities[waits[0]][0])
         who = ", ".join(f"{robot.id} in {roles[robot.role].label!r}" for robot in held[:4] if robot.role is not None)
         return Reason(
