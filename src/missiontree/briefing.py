@@ -10,6 +10,7 @@ from typing import Any
 from missiontree.errors import InputError
 from missiontree.formats.document import read_file
 from missiontree.formats.mission_file import MissionFile
+from missiontree.formats.source import clean
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet
@@ -92,7 +93,7 @@ def request_from(
     """
     path = mission if isinstance(mission, Path) else project
     file = _mission_file(path) if path is not None else MissionFile(mission="-")
-    words = file.mission if isinstance(mission, Path) else mission
+    words = file.mission if isinstance(mission, Path) else clean(mission, "mission")
     base = path.parent if path is not None else Path()
     if len(words.split()) > MAX_WORDS:
         raise InputError(f"the mission has {len(words.split())} words", accepted=f"at most {MAX_WORDS} words")

@@ -9,7 +9,7 @@ import typer
 
 from missiontree.cli import options
 from missiontree.cli.exits import Exit
-from missiontree.cli.screen import answers
+from missiontree.cli.screen import say, show
 
 
 def command(
@@ -31,10 +31,8 @@ def command(
         )
     elif findings:
         count = len(findings)
-        answers(colour).print(
-            f"{count} fault{'s' if count != 1 else ''} found in {plan}", style="bold red", markup=False
-        )
-        answers(colour).print(findings_view(findings))
+        say(f"{count} fault{'s' if count != 1 else ''} found in {plan}", "bold red", colour)
+        show(findings_view(findings), colour)
     else:
-        answers(colour).print(f"sound: {plan} keeps every rule", style="green", markup=False)
+        say(f"sound: {plan} keeps every rule", "green", colour)
     return Exit.FAULTS if findings else Exit.DELIVERED

@@ -11,7 +11,7 @@ from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES, Exit
 from missiontree.cli.gathering import gather
 from missiontree.cli.interrupt import controlled
-from missiontree.cli.screen import answers
+from missiontree.cli.screen import show
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -48,6 +48,8 @@ def command(
     """Rank one mission's alternatives with every allocator: what each finds, how long it takes, what it loses."""
     import json
 
+    from rich.text import Text
+
     from missiontree.allocation import ALLOCATORS
     from missiontree.planner import author
     from missiontree.reporting.text import reason_line
@@ -70,7 +72,7 @@ def command(
     authored = author(request)
     if authored.status != "complete" or authored.tree is None:
         for reason in authored.reasons:
-            answers(colour).print(reason_line(reason))
+            show(reason_line(reason), colour)
         return OUTCOMES[authored.status if authored.status != "complete" else "incomplete"]
     tree, brief = ground(authored.tree, request.brief).tree, request.brief
     runs = []
@@ -82,10 +84,10 @@ def command(
     if as_json:
         typer.echo(json.dumps([_plain(run, runs) for run in runs], indent=2))
     else:
-        answers(colour).print(_table(runs))
+        show(_table(runs), colour)
         for run in runs:
             for reason in run.ranking.reasons[:3]:
-                answers(colour).print(run.allocator, ":", reason_line(reason))
+                show(Text(f"{run.allocator}: ").append_text(reason_line(reason)), colour)
     return Exit.DELIVERED if runs[0].ranking.alternatives else Exit.CANNOT_BE_DONE
 
 

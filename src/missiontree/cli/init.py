@@ -10,7 +10,7 @@ import typer
 from missiontree.cli import options
 from missiontree.cli.exits import Exit
 from missiontree.cli.plan import save
-from missiontree.cli.screen import answers
+from missiontree.cli.screen import say
 from missiontree.errors import InputError
 
 
@@ -36,7 +36,7 @@ def command(
         except OSError as error:
             raise InputError("the folder cannot be made", file=str(target.parent), hint=str(error.strerror)) from error
         save(target, source.read_text(encoding="utf-8"))
-        answers(colour).print(f"written {target}", markup=False)
+        say(f"written {target}", colour=colour)
     step = "" if folder == Path() else f"cd {folder} && "
-    answers(colour).print(f"\nnext: {step}missiontree plan", style="bold", markup=False)
+    say(f"next: {step}missiontree plan", "bold", colour)
     return Exit.DELIVERED

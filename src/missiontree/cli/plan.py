@@ -11,7 +11,7 @@ from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES
 from missiontree.cli.gathering import gather
 from missiontree.cli.interrupt import controlled
-from missiontree.cli.screen import answers, remarks
+from missiontree.cli.screen import remark, show
 from missiontree.errors import InputError
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def command(
 
     if not (quiet or as_json):
         for source in request.sources:
-            remarks(colour).print(f"using {source}", style="dim", markup=False)
+            remark(f"using {source}", colour)
     with controlled(time_limit, request.seed) as control:
         plan = plan_request(request, control)
         if plan.outcome == "exhausted" and control.stop():
@@ -87,9 +87,9 @@ def deliver(
     if not quiet or out is None:
         from missiontree.reporting.text import plan_view
 
-        answers(colour).print(plan_view(plan))
+        show(plan_view(plan), colour)
     if out is not None and not quiet:
-        remarks(colour).print(f"\nwritten to {out}", style="dim", markup=False)
+        remark(f"written to {out}", colour)
 
 
 def save(path: Path, text: str) -> None:

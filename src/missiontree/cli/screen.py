@@ -3,34 +3,46 @@
 from __future__ import annotations
 
 import sys
-from functools import cache
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from rich.console import Console, RenderableType
+
+PIPE_WIDTH = 100
+
+
+def show(view: RenderableType, colour: bool | None = None) -> None:
+    """Print an answer; colour as the terminal can, unless told. Into a file or a pipe it is plain text of fixed width."""
+    if colour or (sys.stdout.isatty() and colour is not False):
+        _console(colour).print(view)
+        return
+    from missiontree.reporting.text import render
+
+    sys.stdout.write(render(view, _console(colour).width if sys.stdout.isatty() else PIPE_WIDTH))
+
+
+def say(text: str, style: str = "", colour: bool | None = None) -> None:
+    """Print a line of our own words as an answer."""
+    from missiontree.reporting.text import words
+
+    show(words(text, style), colour)
+
+
+def remark(text: str, colour: bool | None = None) -> None:
+    """Print a line beside the answer, on standard error."""
     from rich.console import Console
 
+    from missiontree.reporting.text import words
 
-@cache
-def answers(colour: bool | None = None) -> Console:
-    """Standard output; colour as the terminal can, unless told."""
-    return _console(to_errors=False, colour=colour)
-
-
-@cache
-def remarks(colour: bool | None = None) -> Console:
-    """Standard error."""
-    return _console(to_errors=True, colour=colour)
+    width = None if sys.stderr.isatty() else PIPE_WIDTH
+    console = Console(stderr=True, no_color=colour is False or None, width=width, highlight=False, soft_wrap=True)
+    console.print(words(text, "dim"))
 
 
-def _console(to_errors: bool, colour: bool | None) -> Console:
+def _console(colour: bool | None) -> Console:
     from rich.console import Console
 
-    stream = sys.stderr if to_errors else sys.stdout
-    width = None if stream.isatty() else 100
+    width = None if sys.stdout.isatty() else PIPE_WIDTH
     return Console(
-        stderr=to_errors,
-        no_color=colour is False or None,
-        force_terminal=True if colour else None,
-        width=width,
-        highlight=False,
+        no_color=colour is False or None, force_terminal=True if colour else None, width=width, highlight=False
     )

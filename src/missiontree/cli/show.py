@@ -10,7 +10,7 @@ import typer
 from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES
 from missiontree.cli.plan import save
-from missiontree.cli.screen import answers
+from missiontree.cli.screen import show
 
 
 def command(
@@ -34,5 +34,5 @@ def command(
     elif as_json:
         typer.echo(write_text(value, "plan"), nl=False)
     else:
-        answers(colour).print(plan_view(value))
+        show(plan_view(value), colour)
     return OUTCOMES[value.outcome]

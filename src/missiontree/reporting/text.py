@@ -114,7 +114,7 @@ def reason_line(reason: Reason) -> Text:
     mark, style = MARKS[reason.severity]
     line = Text.assemble((mark, style), " ", words(reason.message))
     if reason.hint:
-        line.append_text(words(f" {reason.hint}", "dim"))
+        line.append(" ").append_text(words(reason.hint, "dim"))
     return line
 
 
