@@ -103,6 +103,7 @@ class _Desk:
     transcript: Transcript = field(init=False)
     reading: tuple[str, ...] = ()
     said: list[Reason] = field(default_factory=list)
+    remarks: list[Reason] = field(default_factory=list)
     calls: int = 0
 
     def __post_init__(self) -> None:
@@ -121,14 +122,14 @@ class _Desk:
 
     def ended(self, status: AuthoringStatus, reasons: Sequence[Reason] = ()) -> Authored:
         """What it came to."""
-        said = tuple(dict.fromkeys(self.said))
+        said = tuple(dict.fromkeys((*self.said, *self.remarks)))
         return Authored(
             status=status,
             tree=self.box.builder.tree,
             reasons=tuple(reasons),
             notices=tuple(reason for reason in said if reason.severity != "assumption"),
             assumptions=tuple(reason for reason in said if reason.severity == "assumption"),
-            transcript=self.transcript.end(status, tuple(reasons), self.reading),
+            transcript=self.transcript.end(status, tuple(reasons), self.reading, self.remarks),
             reading=self.reading,
             author="offline",
         )
@@ -150,8 +151,8 @@ class _Desk:
     def built(self, goals: Sequence[Goal]) -> Authored:
         """Build the tree of all goals."""
         made = composed(goals, self.brief.routines)
-        self.said += [assumption for goal in goals for assumption in goal.assumptions]
-        self.said += made.notices
+        self.remarks += [assumption for goal in goals for assumption in goal.assumptions]
+        self.remarks += made.notices
         refusal = _Building(self, made).build()
         if refusal is not None:
             return self._refused(refusal)
@@ -225,7 +226,7 @@ class _Building:
             if unable is None:
                 return answer
             pieces.remove(unable)
-            self.desk.said.append(replace(answer.reasons[0], severity="notice"))
+            self.desk.remarks.append(replace(answer.reasons[0], severity="notice"))
 
     def _call(self, parent: str, pieces: list[Piece], logic: str, pairs: list[list[Any]]) -> tuple[str, dict[str, Any]]:
         where = {"parentString": parent, "LogicalConstraint": logic, "constraintPairs": pairs}
