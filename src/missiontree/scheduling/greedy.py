@@ -26,7 +26,8 @@ from missiontree.scheduling.holding import order_held_roles
 from missiontree.scheduling.impossible import budgets_exceeded, cycle_reason, group_needs, unreachable_places
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import task_graph
-from missiontree.scheduling.serial import Crew, Done, Draft, Problem, Rule, Run
+from missiontree.scheduling.problem import Crew, Done, Draft, Problem, Rule
+from missiontree.scheduling.serial import Run
 from missiontree.scheduling.staffing import staffing_conflicts, staffing_of
 from missiontree.scheduling.ticks import seconds
 from missiontree.scheduling.trips import Trips

@@ -10,103 +10,21 @@ type is free, so that ten thousand of them cost no more than one.
 from __future__ import annotations
 
 import heapq
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Literal
 
 from missiontree.estimation.travel import Blocked
-from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
-from missiontree.scheduling.bounds import Bounds
-from missiontree.scheduling.bundles import Bundles
 from missiontree.scheduling.impossible import TOLERANCE, missing
-from missiontree.scheduling.precedence import TaskGraph, indegrees
-from missiontree.scheduling.staffing import Staffing
+from missiontree.scheduling.matching import match
+from missiontree.scheduling.precedence import indegrees
+from missiontree.scheduling.problem import Done, Draft, Problem, Rule
 from missiontree.scheduling.ticks import ticks
-from missiontree.scheduling.trips import Spot, Trip, Trips
+from missiontree.scheduling.trips import Spot, Trip
 from missiontree.scheduling.world_state import RobotState, WorldState
 
-Crew = Literal["joint", "bundle", "none"]
 _LOOK = 16  # roles of a queue that are compared where travel makes a difference
-
-
-@dataclass(frozen=True, slots=True)
-class Problem:
-    """
-    One alternative, read once for all runs.
-
-    Parameters
-    ----------
-    graph, staffing, bounds, fleet, trips
-        What must be done, by whom, how long at least, and the ways.
-    bundles, crews
-        Roles that must be under way together, and roles that work jointly.
-    needs
-        What each group of roles uses of each budget at least.
-    """
-
-    graph: TaskGraph
-    staffing: Staffing
-    bounds: Bounds
-    fleet: Fleet
-    trips: Trips
-    bundles: Bundles
-    crews: Mapping[int, int]
-    needs: Mapping[int, Mapping[str, float]]
-
-
-@dataclass(frozen=True, slots=True)
-class Rule:
-    """
-    How one run decides.
-
-    Parameters
-    ----------
-    crew
-        Robots taken at once when a role begins: for the roles it works with ``joint``-ly, for its whole ``bundle`` (which then
-        waits until all that it needs from outside is settled), or ``none`` but its own.
-    patience
-        Ticks that a robot may idle for the sake of a role with more to follow. 0 (default): the earliest start goes first.
-    jitter
-        Added to the remaining path, by activity.
-    binding
-        Robot of each group of roles, if it is fixed beforehand.
-    """
-
-    crew: Crew = "joint"
-    patience: int = 0
-    jitter: Mapping[int, int] = field(default_factory=dict)
-    binding: Mapping[int, str] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, slots=True)
-class Done:
-    """An action put into the schedule (ticks), and the trip that it was or needed, with the trip's times."""
-
-    leaf: int
-    robot: str
-    start: int
-    end: int
-    trip: Trip | None = None
-    leaves_at: int = 0
-    arrives_at: int = 0
-
-
-@dataclass(slots=True)
-class Draft:
-    """What a run came to: all actions, or why it got stuck."""
-
-    done: list[Done]
-    robot_of: dict[int, str]
-    makespan: int
-    metres: float
-    reasons: tuple[Reason, ...] = ()
-
-    @property
-    def value(self) -> tuple[int, float, int]:
-        """What is minimised: makespan, then travel, then the sum of ends."""
-        return self.makespan, round(self.metres, 6), sum(done.end for done in self.done)
 
 
 class _StuckError(Exception):
@@ -419,7 +337,7 @@ class Run:
         for role in (*opening, *mates):
             wanted.setdefault(self._p.staffing.group_of[role], role)
         ranked = {group: self._candidates(role, ready if role in opening else 0) for group, role in wanted.items()}
-        taken = _match(ranked)
+        taken = match(ranked)
         if taken is None:
             return None
         return {role: taken[self._p.staffing.group_of[role]] for role in (*opening, *mates)}
@@ -601,34 +519,3 @@ class Run:
             robot=self._graph.tree.action(self._graph.activities[waits[0]][0]).robot_type,
             hint="Another robot of that type, or another order, may resolve it.",
         )
-
-
-def _match(ranked: Mapping[int, Sequence[RobotState]]) -> dict[int, RobotState] | None:
-    """Different robots for all groups (augmenting paths, breadth first), each as far up its list as it comes."""
-    group_of: dict[str, int] = {}
-    taken: dict[int, RobotState] = {}
-    for group in ranked:
-        came_from: dict[str, int] = {}
-        queue, end = [group], None
-        for here in queue:
-            for robot in ranked[here]:
-                if robot.id in came_from:
-                    continue
-                came_from[robot.id] = here
-                if robot.id not in group_of:
-                    end = robot
-                    break
-                queue.append(group_of[robot.id])
-            if end is not None:
-                break
-        if end is None:
-            return None
-        robot = end
-        while True:
-            owner = came_from[robot.id]
-            before = taken.get(owner)
-            taken[owner], group_of[robot.id] = robot, owner
-            if owner == group or before is None:
-                break
-            robot = before
-    return taken

@@ -1,0 +1,95 @@
+"""What a run of a scheduler is given, and what it comes to."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.reason import Reason
+from missiontree.scheduling.bounds import Bounds
+from missiontree.scheduling.bundles import Bundles
+from missiontree.scheduling.precedence import TaskGraph
+from missiontree.scheduling.staffing import Staffing
+from missiontree.scheduling.trips import Trip, Trips
+
+Crew = Literal["joint", "bundle", "none"]
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """
+    One alternative, read once for all runs.
+
+    Parameters
+    ----------
+    graph, staffing, bounds, fleet, trips
+        What must be done, by whom, how long at least, and the ways.
+    bundles, crews
+        Roles that must be under way together, and roles that work jointly.
+    needs
+        What each group of roles uses of each budget at least.
+    """
+
+    graph: TaskGraph
+    staffing: Staffing
+    bounds: Bounds
+    fleet: Fleet
+    trips: Trips
+    bundles: Bundles
+    crews: Mapping[int, int]
+    needs: Mapping[int, Mapping[str, float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """
+    How one run decides.
+
+    Parameters
+    ----------
+    crew
+        Robots taken at once when a role begins: for the roles it works with ``joint``-ly, for its whole ``bundle`` (which then
+        waits until all that it needs from outside is settled), or ``none`` but its own.
+    patience
+        Ticks that a robot may idle for the sake of a role with more to follow. 0 (default): the earliest start goes first.
+    jitter
+        Added to the remaining path, by activity.
+    binding
+        Robot of each group of roles, if it is fixed beforehand.
+    """
+
+    crew: Crew = "joint"
+    patience: int = 0
+    jitter: Mapping[int, int] = field(default_factory=dict)
+    binding: Mapping[int, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """An action put into the schedule (ticks), and the trip that it was or needed, with the trip's times."""
+
+    leaf: int
+    robot: str
+    start: int
+    end: int
+    trip: Trip | None = None
+    leaves_at: int = 0
+    arrives_at: int = 0
+
+
+@dataclass(slots=True)
+class Draft:
+    """What a run came to: all actions, or why it got stuck."""
+
+    done: list[Done]
+    robot_of: dict[int, str]
+    makespan: int
+    metres: float
+    reasons: tuple[Reason, ...] = ()
+
+    @property
+    def value(self) -> tuple[int, float, int]:
+        """What is minimised: makespan, then travel, then the sum of ends."""
+        return self.makespan, round(self.metres, 6), sum(done.end for done in self.done)
