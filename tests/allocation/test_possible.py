@@ -40,17 +40,19 @@ def test_what_all_types_together_lack() -> None:
     fleet = trivial_fleet(("r", "s"), limits={"energy_j": 3})
     ways = [xor_(user(f"r{number}", 2.5), user(f"s{number}", 2.5, "s")) for number in range(3)]
     # No single type must do anything, but three times 2.5 is more than 3 + 3.
-    found = possible_nodes(flat_of(and_(*ways), fleet))
+    flat = flat_of(and_(*ways), fleet)
+    found = possible_nodes(flat)
     assert not found.possible[0]
-    assert reasons_of(found, "error")[0].message.endswith("all types together may use 6.")
+    assert reasons_of(flat, found, "error")[0].message.endswith("all types together may use 6.")
 
 
 def test_one_role_needs_one_robot() -> None:
     # Two robots of 3 have 6 together, but the role uses 4 and one robot fills it.
     fleet = trivial_fleet({"r": 2}, limits={"energy_j": 3})
-    found = possible_nodes(flat_of(and_(user("a", 2, role="x"), user("b", 2, role="x")), fleet))
+    flat = flat_of(and_(user("a", 2, role="x"), user("b", 2, role="x")), fleet)
+    found = possible_nodes(flat)
     assert not found.possible[0]
-    (reason,) = reasons_of(found, "error")
+    (reason,) = reasons_of(flat, found, "error")
     assert (reason.rule, reason.robot, reason.found, reason.needed) == (
         "budget_exceeded",
         "r",

@@ -61,7 +61,7 @@ class Flat:
 
     Parameters
     ----------
-    kind, parent, children
+    kind, parent, children, label
         As in the grounded tree: parents before children, siblings in order.
     utility
         Of each leaf, in millionths; 0 elsewhere.
@@ -80,6 +80,7 @@ class Flat:
     kind: tuple[NodeKind, ...]
     parent: tuple[int, ...]
     children: tuple[tuple[int, ...], ...]
+    label: tuple[str, ...]
     utility: tuple[int, ...]
     role: tuple[int, ...]
     robot_type: tuple[str, ...]
@@ -143,6 +144,7 @@ def flatten(tree: GroundedTree, fleet: Fleet, weights: Weights) -> Flat:
         kind=tuple(node.kind for node in tree.nodes),
         parent=tuple(node.parent for node in tree.nodes),
         children=tree.children,
+        label=tuple(node.label for node in tree.nodes),
         utility=tuple(utility),
         role=tuple(role),
         robot_type=tuple(robot_type),

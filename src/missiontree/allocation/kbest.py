@@ -52,7 +52,7 @@ class ExactKBest:
         possibility = possible_nodes(flat)
         stream = stream_of(flat, possibility.possible)
         if stream is None:
-            reasons = reasons_of(possibility, "error") or no_robot_able(flat)
+            reasons = reasons_of(flat, possibility, "error") or no_robot_able(flat)
             return impossible("least_use", "No selection stays within what there is.", reasons)
         search = _Search(flat, possibility, k, self.packing_steps, control)
         for item in best_first(stream):
@@ -120,7 +120,7 @@ class _Search:
         """K are found, or there are no more."""
         if not self.found:
             detail = f"All {self.examined} candidates were refused."
-            reasons = reasons_of(self.possibility, "error") + self.refusals.summary("error")
+            reasons = reasons_of(self.flat, self.possibility, "error") + self.refusals.summary("error")
             return impossible(METHOD, detail, reasons, self.examined)
         last = round(self.found[-1].utility * MICRO)
         self._report(last)
@@ -137,5 +137,5 @@ class _Search:
             status=status,
             certificate=certificate,
             examined=self.examined,
-            reasons=reasons_of(self.possibility, "notice") + self.refusals.summary("notice"),
+            reasons=reasons_of(self.flat, self.possibility, "notice") + self.refusals.summary("notice"),
         )

@@ -144,7 +144,7 @@ class _Limits:
         return None
 
 
-def reasons_of(possibility: Possibility, severity: Severity, limit: int = 8) -> tuple[Reason, ...]:
+def reasons_of(flat: Flat, possibility: Possibility, severity: Severity, limit: int = 8) -> tuple[Reason, ...]:
     """The refusals nearest to the root in words, one per budget and type."""
     said: dict[tuple[str, str], Reason] = {}
     for excess in reversed(possibility.excesses):
@@ -156,8 +156,8 @@ def reasons_of(possibility: Possibility, severity: Severity, limit: int = 8) -> 
         said[type_id, name] = Reason(
             rule="budget_exceeded",
             severity=severity,
-            message=f"Whatever is chosen, node {excess.node} uses {needed:g} of {name}, and {whose} may use {there:g}.",
-            node=str(excess.node),
+            message=f'Whatever is chosen, "{flat.label[excess.node]}" uses {needed:g} of {name}, and {whose} may use {there:g}.',
+            node=flat.label[excess.node],
             robot=type_id,
             found=f"{name} {there:g}",
             needed=f"{name} {needed:g}",

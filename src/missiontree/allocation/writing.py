@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from missiontree.allocation.feasibility import Verdict
 from missiontree.allocation.flat import Flat
+from missiontree.allocation.possible import structurally_possible
 from missiontree.allocation.selection import Selection
 from missiontree.mission.alternative import Alternative, Assignment, Choice, Ranking, RoleType
 from missiontree.mission.certificate import Certificate
@@ -59,9 +60,14 @@ def impossible(method: str, detail: str, reasons: tuple[Reason, ...], examined: 
 
 
 def no_robot_able(flat: Flat, limit: int = 8) -> tuple[Reason, ...]:
-    """The first XORs without children, one of which stands in every way through the tree."""
-    empty = [node for node, kind in enumerate(flat.kind) if kind == "xor" and not flat.children[node]]
+    """Why there is no way through the tree: the XORs without children that block it, in preorder."""
+    possible = structurally_possible(flat)
+    blocking: list[str] = []
+    stack = [0]
+    while stack and len(blocking) < limit:
+        node = stack.pop()
+        if not possible[node]:
+            stack.extend(flat.children[node][::-1])
+            blocking += [] if flat.children[node] else [flat.label[node]]
     message = "has no robot able to do it, and there is no way round it."
-    return tuple(
-        Reason(rule="no_robot_able", message=f"Node {node} {message}", node=str(node)) for node in empty[:limit]
-    )
+    return tuple(Reason(rule="no_robot_able", message=f'"{label}" {message}', node=label) for label in blocking)
