@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import math
+import random
 
 import pytest
 
 from missiontree.checking.ways import Ways
+from missiontree.estimation.leg import Leg
+from missiontree.estimation.travel import TravelModel, travel_time_s
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Area, KeepOut, Lift, OccupancyGrid, Road, RoadGraph, RoadNode, Scene, Zone
+from tests.checking.missions import point, random_scene
 
 ROBOT = RobotType(id="robot", count=1)
 POOL = KeepOut(id="pool", area=Area(corners=((15, -5), (25, -5), (25, 5), (15, 5))))
@@ -42,6 +46,13 @@ def test_the_edge_of_a_keep_out_may_be_touched() -> None:
 
 def test_nobody_gets_out_of_a_keep_out() -> None:
     assert math.isinf(metres(Scene(keep_outs=(POOL,)), (20, 0), (30, 0)))
+
+
+def test_nobody_slips_between_two_keep_outs_that_touch() -> None:
+    """From (0, 5) to (10, 5) along the shared edge y = 5 there is no way; round (2, 0) and (8, 0) it is 2 * sqrt(29) + 6."""
+    low = KeepOut(id="low", area=Area(corners=((2, 0), (8, 0), (8, 5), (2, 5))))
+    high = KeepOut(id="high", area=Area(corners=((2, 5), (8, 5), (8, 20), (2, 20))))
+    assert metres(Scene(keep_outs=(low, high)), (0, 5), (10, 5)) == pytest.approx(2 * math.sqrt(29) + 6)
 
 
 def test_a_keep_out_for_others_is_open() -> None:
@@ -137,3 +148,26 @@ def test_points_of_one_cell_are_joined_straight_and_others_by_the_centres() -> N
     """0.5 m within the cell; else 0.5 m to the centre, 2 m, 0.5 m from the centre."""
     assert metres(grid(".."), (0.5, 1), (1, 1)) == 0.5
     assert metres(grid(".."), (0.5, 1), (3.5, 1)) == 3
+
+
+@pytest.mark.parametrize("batch", range(4))
+def test_the_travel_model_finds_no_way_shorter_than_the_checker_does(batch: int) -> None:
+    """Two programs that share no code, on random maps: the travel model's legs are never understated."""
+    compared = 0
+    for seed in range(batch * 40, batch * 40 + 40):
+        rng = random.Random(seed)  # noqa: S311 - variation, not secrecy
+        scene = random_scene(rng) or Scene()
+        model, ways = TravelModel(scene), Ways(scene)
+        robot = RobotType(id="t0", count=1, limits={"max_speed_mps": 2.0})
+        for _ in range(8):
+            origin, goal = point(rng), point(rng)
+            leg = model.leg(robot, origin, goal)
+            if isinstance(leg, Leg):
+                compared += 1
+                assert leg.distance_m >= ways.shortest_m(robot, origin, goal) - 1e-6, f"seed {seed}: {origin} to {goal}"
+                assert travel_time_s(leg, 2.0) >= ways.quickest_s(robot, origin, goal, 2.0) - 1e-6, f"seed {seed}"
+                if scene.roads is None:  # on roads the checker may join any of several nodes that are equally near
+                    assert leg.distance_m == pytest.approx(ways.shortest_m(robot, origin, goal)), f"seed {seed}"
+            elif scene.roads is None:
+                assert math.isinf(ways.shortest_m(robot, origin, goal)), f"seed {seed}: {origin} to {goal}"
+    assert compared > 50
