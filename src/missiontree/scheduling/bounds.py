@@ -40,7 +40,7 @@ class Bounds:
     duration
         Least duration of each activity.
     lag
-        Least time from the start of an action's predecessor's end to its own start, within a role, by leaf.
+        Least travel inside a role from the end of the action before to the start of an action, by leaf.
     heads, tails
         For each event, the least time before it, and the least time from it to the end of the mission.
     """

@@ -1,0 +1,50 @@
+"""Where robots and entities are as actions are done."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from missiontree.mission.estimate import Estimate
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.grounded import Action
+from missiontree.scheduling.trips import Trips
+from missiontree.scheduling.world_state import WorldState
+from tests.scheduling.instances import at, move, robots, scene, work
+
+
+def action(given: dict[str, Any]) -> Action:
+    return Action(name="a", text="a", role=0, robot_type="r", capability="work", estimate=Estimate(1.0), **given)
+
+
+def state() -> WorldState:
+    fleet = Fleet((robots("r", position=at(1), limits={"energy_j": 9}),))
+    return WorldState(fleet, Trips(fleet, scene(box=0, p=5, lost=None)))
+
+
+def test_what_is_brought_is_at_the_new_place_afterwards() -> None:
+    world = state()
+    robot = world.robots["r-1"]
+    world.do(robot, action(move("p", "box")), 10, 40)
+    assert (robot.spot, world.entity("box").spot, world.entity("box").since) == (at(5), at(5), 40)
+    # who wants the box now cannot start before it has arrived
+    assert world.not_before(action(work(1, at="box"))) == 40
+
+
+def test_who_moves_an_entity_waits_for_those_who_use_it() -> None:
+    world = state()
+    world.do(world.robots["r-1"], action(work(1, at="box")), 0, 25)
+    assert world.not_before(action(move("p", "box"))) == 25
+    assert world.not_before(action(work(1, at="box"))) == 0
+
+
+def test_unknown_places_leave_a_worker_where_it_is_and_a_mover_nowhere() -> None:
+    world = state()
+    robot = world.robots["r-1"]
+    world.do(robot, action(work(1, at="lost")), 0, 1)
+    assert robot.spot == at(1)
+    world.do(robot, action(move("lost", "box")), 1, 2)
+    assert (robot.spot, world.entity("box").spot) == (None, None)
+
+
+def test_budgets_start_full() -> None:
+    assert state().robots["r-1"].left == {"energy_j": 9}
