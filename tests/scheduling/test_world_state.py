@@ -39,11 +39,11 @@ def test_who_moves_an_entity_waits_for_those_who_use_it() -> None:
 
 def test_unknown_places_leave_a_worker_where_it_is_and_a_mover_nowhere() -> None:
     world = state()
-    robot = world.robots["r-1"]
-    world.do(robot, action(work(1, at="lost")), 0, 1)
-    assert robot.spot == at(1)
-    world.do(robot, action(move("lost", "box")), 1, 2)
-    assert (robot.spot, world.entity("box").spot) == (None, None)
+    world.do(world.robots["r-1"], action(work(1, at="lost")), 0, 1)
+    assert world.robots["r-1"].spot == at(1)
+    world.do(world.robots["r-1"], action(move("lost", "box")), 1, 2)
+    assert world.robots["r-1"].spot is None
+    assert world.entity("box").spot is None
 
 
 def test_budgets_start_full() -> None:
