@@ -20,6 +20,7 @@ from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.scheduling.approach_budget import approaches_too_dear
 from missiontree.scheduling.bounds import lower_bounds
 from missiontree.scheduling.bundles import bundles_of, crews_of
 from missiontree.scheduling.holding import order_held_roles
@@ -73,7 +74,7 @@ def _read(
     places = Places(graph, order, trips)
     if reasons := unreachable_places(graph, places, fleet, trips):
         return "reachability", reasons
-    if reasons := budgets_exceeded(graph, staffing, fleet):
+    if reasons := [*budgets_exceeded(graph, staffing, fleet), *approaches_too_dear(graph, places, trips)]:
         return "budget_bound", reasons
     bounds = lower_bounds(graph, order, staffing, places, fleet, trips)
     return Problem(
