@@ -66,6 +66,7 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
         yield from _titled("Mission tree", [Text(tree_text(plan.tree).rstrip())])
     if plan.ranking is not None and plan.grounding is not None and plan.ranking.alternatives:
         yield from _titled(_ranking_title(plan.ranking), [alternatives_table(plan)])
+        yield from _titled("Without a schedule", list(_unscheduled(plan)))
         best = best_scheduled(plan)
         if best is not None:
             title = f"Schedule of alternative {best.rank}: {seconds(best.makespan_s)}, {_known(best)}"
@@ -129,6 +130,14 @@ def seconds(time_s: float) -> str:
 def best_scheduled(plan: Plan) -> Schedule | None:
     """The first schedule in rank order that has actions."""
     return next((schedule for schedule in plan.schedules if schedule.status in {"optimal", "feasible"}), None)
+
+
+def _unscheduled(plan: Plan) -> Iterator[RenderableType]:
+    """Alternatives that no schedule was found for, with the first reason of each."""
+    for schedule in plan.schedules:
+        if schedule.status in {"infeasible", "unknown"} and schedule.reasons:
+            why = "cannot be scheduled" if schedule.status == "infeasible" else "no schedule was found"
+            yield Text(f"{schedule.rank}. {why}: ").append_text(reason_line(schedule.reasons[0]))
 
 
 def _ranking_title(ranking: Ranking) -> str:
