@@ -1,4 +1,8 @@
-"""Every example runs and prints what stands beside it."""
+"""
+Every example runs and prints what stands beside it.
+
+``for f in examples/*.py; do python $f > ${f%.py}.out; done`` renews the outputs.
+"""
 
 from __future__ import annotations
 
