@@ -8,6 +8,7 @@ from typing import Any
 from missiontree.checking.case import Case
 from missiontree.checking.fault import Fault
 from missiontree.formats.digest import digest
+from missiontree.formats.inputs import inputs_of
 
 
 def digest_mismatch(case: Case) -> Iterator[Fault]:
@@ -30,12 +31,4 @@ def digest_unknown(case: Case) -> Iterator[Fault]:
 
 
 def _inputs(case: Case) -> dict[str, Any]:
-    brief = case.plan.brief
-    inputs: dict[str, Any] = {
-        "fleet": brief.fleet,
-        "scene": brief.scene,
-        "routines": brief.routines,
-        "mission": brief.text,
-        "tree": case.plan.tree,
-    }
-    return {name: value for name, value in inputs.items() if value is not None}
+    return inputs_of(case.plan.brief, case.plan.tree)

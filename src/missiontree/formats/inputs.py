@@ -1,19 +1,29 @@
-"""Digests of what a plan was made from."""
+"""What a plan was made from, by name, and the digests of it."""
 
 from __future__ import annotations
+
+from typing import Any
 
 from missiontree.formats.digest import digest
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.tree import MissionTree
 
 
-def input_digests(brief: MissionBrief, tree: MissionTree | None) -> dict[str, str]:
-    """SHA-256 of the canonical JSON of each input by name: mission (its words), fleet, scene, routines, tree."""
+def inputs_of(brief: MissionBrief, tree: MissionTree | None) -> dict[str, Any]:
+    """Every input by name: mission (its words), fleet, scene, routines, entities, weights, kinds (enforced or not), tree."""
     inputs = {
         "mission": brief.text,
         "fleet": brief.fleet,
         "scene": brief.scene,
         "routines": brief.routines,
+        "entities": brief.entities,
+        "weights": brief.weights,
+        "kinds": brief.check_kinds,
         "tree": tree,
     }
-    return {name: digest(value) for name, value in inputs.items() if value is not None}
+    return {name: value for name, value in inputs.items() if value is not None}
+
+
+def input_digests(brief: MissionBrief, tree: MissionTree | None) -> dict[str, str]:
+    """SHA-256 of the canonical JSON of each input, by name."""
+    return {name: digest(value) for name, value in inputs_of(brief, tree).items()}
