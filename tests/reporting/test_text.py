@@ -1,0 +1,66 @@
+"""What a person reads first: outcome, alternatives, schedule, remarks; harmless whatever the names."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from missiontree import plan, plan_text
+from missiontree.mission.fleet import Fleet, RobotType
+from missiontree.mission.reason import Reason
+from missiontree.reporting.text import reason_line, render, seconds
+from missiontree.samples.catalogue import sample_file
+
+FLEET = Fleet(
+    (
+        RobotType(
+            id="bad",
+            label="[red]\x1b[31m\u202eevil\nnext line[/red]",
+            count=1,
+            capabilities={"search": 1.0},
+        ),
+    )
+)
+
+
+@pytest.mark.parametrize(
+    ("time_s", "text"), [(0, "0.0 s"), (95.49, "95.5 s"), (599.94, "599.9 s"), (600, "0:10:00"), (3723, "1:02:03")]
+)
+def test_times_are_for_people(time_s: float, text: str) -> None:
+    assert seconds(time_s) == text
+
+
+def test_names_of_users_are_words_and_nothing_else() -> None:
+    text = plan_text(plan("Find the keys", fleet=FLEET))
+    assert "[red]" in text  # shown as written, not obeyed
+    assert "\x1b" not in text
+    assert "\u202e" not in text
+    assert "\nnext line" not in text
+
+
+def test_no_line_is_wider_than_asked_or_ends_in_blanks() -> None:
+    text = plan_text(plan(sample_file("site")), width=80)
+    lines = text.splitlines()
+    assert max(map(len, lines)) <= 80
+    assert all(line == line.rstrip() for line in lines)
+
+
+def test_a_reason_shows_its_mark_and_what_to_do() -> None:
+    line = render(reason_line(Reason(rule="x", message="It is too heavy.", hint="Take a stronger robot.")))
+    assert line == "✗ It is too heavy. Take a stronger robot.\n"
+
+
+def test_every_robot_that_works_has_a_bar_and_a_list() -> None:
+    made = plan(sample_file("site"))
+    text = plan_text(made)
+    for robot in {assignment.robot for assignment in made.schedules[0].assignments}:
+        # One line with the bar, one with the first entry of the list.
+        assert sum(line.lstrip().startswith(f"{robot} ") for line in text.splitlines()) == 2
+
+
+def test_a_plan_that_is_declined_shows_why_and_no_schedule(tmp_path: Path) -> None:
+    text = plan_text(plan(sample_file("restaurants")))
+    assert text.startswith("Cannot be done: Recommend")
+    assert "recommend" in text
+    assert "Schedule" not in text
