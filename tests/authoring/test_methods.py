@@ -63,8 +63,12 @@ def test_guide_names_every_field_of_a_step_and_of_a_method() -> None:
         assert field in guide
 
 
-def test_without_the_method_the_sentence_is_not_understood() -> None:
-    assert authored("Fetch the umbrella for Anna", built_in_methods()).status == "incomplete"
+def test_without_the_users_method_the_built_in_one_only_brings() -> None:
+    made = authored("Fetch the umbrella for Anna", built_in_methods())
+    assert "method bring_for" in made.reading[0]
+    assert made.tree is not None
+    assert [node.routine for node in made.tree.nodes[1:]] == ["ReachAndTransport"]
+    assert authored("Make sure that Anna gets an umbrella", built_in_methods()).status == "incomplete"
 
 
 def test_users_method_goes_before_the_built_in_one_and_may_replace_it(tmp_path: Path) -> None:

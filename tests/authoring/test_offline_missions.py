@@ -28,7 +28,7 @@ PAPER = {
     "Rescue cat trapped in a building on fire": "Search(Firefighter); Search(Cat); ReachAndTransport(Cat, Safe Area)"
     " | Search(Cat) < ReachAndTransport(Cat, Safe Area)",
     "Help the woman walking with heavy luggage": "Reach the Woman[Reach(Woman)];"
-    " Carry Luggage for the Woman[Transport(Luggage, Destination of Woman)] | Reach the Woman < Carry Luggage for the Woman",
+    " Carry Luggage for the Woman[ReachAndTransport(Luggage, Destination of Woman)] | Reach the Woman < Carry Luggage for the Woman",
     "Save the city from the monster destroying it": "Keep the Monster in Sight[SearchAndFollow(Monster)];"
     " Bring People of City to Safety[ReachAndTransport(People of City, Safe Area)]"
     " | Keep the Monster in Sight ~ Bring People of City to Safety",
@@ -58,12 +58,12 @@ PARAPHRASED = {
     " | Search(Horse) < ReachAndTransport(Horse, Safe Area)",
     "Rescue the miner from the gas leak": "Search(Gas Engineer); Search(Miner); ReachAndTransport(Miner, Safe Area)"
     " | Search(Miner) < ReachAndTransport(Miner, Safe Area)",
-    "Help the man carrying a heavy box": "Reach the Man[Reach(Man)]; Carry the Box for the Man[Transport(Box, Destination of Man)]"
+    "Help the man carrying a heavy box": "Reach the Man[Reach(Man)]; Carry the Box for the Man[ReachAndTransport(Box, Destination of Man)]"
     " | Reach the Man < Carry the Box for the Man",
     "Assist the visitor with her suitcases": "Reach the Visitor[Reach(Visitor)];"
-    " Carry the Suitcases for the Visitor[Transport(Suitcases, Destination of Visitor)]"
+    " Carry the Suitcases for the Visitor[ReachAndTransport(Suitcases, Destination of Visitor)]"
     " | Reach the Visitor < Carry the Suitcases for the Visitor",
-    "Help grandma carry her bags to the kitchen": "Reach Grandma[Reach(Grandma)]; Carry the Bags for Grandma[Transport(Bags, Kitchen)]"
+    "Help grandma carry her bags to the kitchen": "Reach Grandma[Reach(Grandma)]; Carry the Bags for Grandma[ReachAndTransport(Bags, Kitchen)]"
     " | Reach Grandma < Carry the Bags for Grandma",
     "Protect the village from the wolf": "Keep the Wolf in Sight[SearchAndFollow(Wolf)];"
     " Bring People of Village to Safety[ReachAndTransport(People of Village, Safe Area)]"

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib import resources
 from pathlib import Path
@@ -16,15 +16,14 @@ from typing import Literal
 
 from missiontree.authoring.method_patterns import Form, forms_of
 from missiontree.errors import InputError
-from missiontree.formats.reader import parse
-from missiontree.formats.validation import to_value
+from missiontree.formats.document import read_as
+from missiontree.formats.source import load_text
 from missiontree.mission.scene import BASE_KINDS
 from missiontree.mission.value import Id, Value, require_unique
 
-FORMAT = "methods/1"
 RESPONDER = "responder"
 CONDITIONS = (*BASE_KINDS, "lost", "hazard")
-BUILT_IN_FILES = ("finding", "helping", "rescuing")
+BUILT_IN_FILES = ("bringing", "finding", "helping", "rescuing")
 _CALL = re.compile(r"\s*([A-Za-z][A-Za-z0-9_-]*)\s*\(\s*([a-z][a-z0-9_]*(?:\s*,\s*[a-z][a-z0-9_]*)*)\s*\)\s*")
 _FIELD = re.compile(r"\{(?:the )?(?:full )?([^{}]*)\}")
 
@@ -257,7 +256,7 @@ def load_methods(paths: Iterable[Path | str] = ()) -> MethodLibrary:
     """
     own: dict[str, tuple[Method, str]] = {}
     for path in map(str, paths):
-        for method in _read_file(path).methods:
+        for method in read_methods(load_text(Path(path)), path).methods:
             if method.id in own:
                 raise InputError(
                     f"method {method.id!r} stands twice",
@@ -279,17 +278,4 @@ def read_methods(text: str, source: str) -> MethodFile:
     InputError
         With the line of what is wrong.
     """
-    parsed = parse(text, source)
-    if not isinstance(parsed.data, dict) or parsed.data.get("format") != FORMAT:
-        raise parsed.refusal("this is not a file of methods", accepted=f"format: {FORMAT}")
-    body = {key: value for key, value in parsed.data.items() if key != "format"}
-    return to_value(replace(parsed, data=body), MethodFile)
-
-
-def _read_file(path: str) -> MethodFile:
-    try:
-        return read_methods(Path(path).read_text(encoding="utf-8"), path)
-    except FileNotFoundError as error:
-        raise InputError("there is no such file", file=path, accepted="a file of methods") from error
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"the file cannot be read: {error}", file=path) from error
+    return read_as(text, "methods", MethodFile, source)

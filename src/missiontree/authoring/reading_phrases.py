@@ -177,10 +177,12 @@ class PhraseReader:
     def _known_words(self, lows: list[str]) -> list[bool]:
         """Which words are known nouns, or parts of known compounds such as "assembly point"."""
         known = [kind_of(low) is not None or low in self.known for low in lows]
+        small = self._small["function_words"] | self._small["describing"]
         for end in range(len(lows)):
             for width in (2, 3):
                 if (
                     not known[end]
+                    and not small & set(lows[max(0, end + 1 - width) : end + 1])
                     and width <= end + 1
                     and kind_of(" ".join(lows[end + 1 - width : end + 1])) is not None
                 ):
