@@ -8,8 +8,10 @@ import pytest
 
 from missiontree import plan, plan_text
 from missiontree.mission.fleet import Fleet, RobotType
+from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
-from missiontree.reporting.text import reason_line, render, seconds
+from missiontree.mission.scene import Entity, Road, RoadGraph, Scene
+from missiontree.reporting.text import reason_line, render, said_once, seconds
 from missiontree.samples.catalogue import sample_file
 
 FLEET = Fleet(
@@ -64,3 +66,27 @@ def test_a_plan_that_is_declined_shows_why_and_no_schedule(tmp_path: Path) -> No
     assert text.startswith("Cannot be done: Recommend")
     assert "recommend" in text
     assert "Schedule" not in text
+
+
+def test_a_reason_that_sums_up_does_not_repeat_what_stands_below_it() -> None:
+    heavy = Reason(rule="limit_too_low", message="The porter carries 80 kg.")
+    whole = Reason(rule="impossible", message="It cannot be done. The porter carries 80 kg. Reword it.")
+    assert [reason.message for reason in said_once([whole, heavy])] == [
+        "It cannot be done. Reword it.",
+        "The porter carries 80 kg.",
+    ]
+    assert said_once([]) == []
+    assert said_once([heavy, heavy]) == [heavy, heavy]
+
+
+def test_why_a_mission_cannot_be_done_is_said_once() -> None:
+    """A refusal that stands under Why does not stand under Not offered again."""
+    depot = Entity(id="depot", kind="place", position=Position(0, 0))
+    island = Entity(id="island", kind="place", position=Position(9, 0))
+    fleet = Fleet((RobotType(id="walker", count=1, capabilities={"reach": 1.0}, place="depot"),))
+    roads = RoadGraph(roads=(Road(ends=("depot", "island"), blocked=True),))
+    made = plan("Reach the island", fleet=fleet, scene=Scene(places=(depot, island), roads=roads))
+    assert made.outcome == "cannot_be_done"
+    text = " ".join(plan_text(made).split())
+    assert text.count("is blocked") == 1
+    assert "Not offered" not in text

@@ -52,7 +52,7 @@ def command(
 
     from missiontree.allocation import ALLOCATORS
     from missiontree.planner import author
-    from missiontree.reporting.text import reason_line
+    from missiontree.reporting.text import reason_line, said_once
     from missiontree.routines.ground import ground
 
     request = gather(
@@ -71,7 +71,7 @@ def command(
     )
     authored = author(request)
     if authored.status != "complete" or authored.tree is None:
-        for reason in authored.reasons:
+        for reason in said_once(authored.reasons):
             show(reason_line(reason), colour)
         return OUTCOMES[authored.status if authored.status != "complete" else "incomplete"]
     tree, brief = ground(authored.tree, request.brief).tree, request.brief

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -11,6 +12,12 @@ from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES
 from missiontree.cli.plan import save
 from missiontree.cli.screen import show
+from missiontree.errors import InputError
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from missiontree.mission.plan import Plan
 
 
 def command(
@@ -22,7 +29,6 @@ def command(
 ) -> int:
     """Show a plan."""
     from missiontree.formats.document import read_file, write_text
-    from missiontree.reporting.text import plan_view
 
     value = read_file(plan, "plan")
     if tree is not None and value.tree is not None:
@@ -34,5 +40,14 @@ def command(
     elif as_json:
         typer.echo(write_text(value, "plan"), nl=False)
     else:
-        show(plan_view(value), colour)
+        show(_view(plan, value), colour)
     return OUTCOMES[value.outcome]
+
+
+def _view(path: Path, plan: Plan) -> RenderableType:
+    from missiontree.reporting.text import plan_view
+
+    try:
+        return plan_view(plan)
+    except InputError as error:
+        raise replace(error, file=str(path)) from error

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from io import StringIO
 
 from rich.console import Console, Group, RenderableType
@@ -16,6 +17,7 @@ from missiontree.mission.plan import Outcome, Plan
 from missiontree.mission.reason import Reason, Severity
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.escape import one_line
+from missiontree.reporting.references import refuse_dangling
 from missiontree.reporting.timeline import timeline
 from missiontree.reporting.tree_view import tree_text
 
@@ -53,7 +55,15 @@ def render(view: RenderableType, width: int = 100) -> str:
 
 
 def plan_view(plan: Plan) -> Group:
-    """Everything a person wants to see first: outcome, tree, alternatives, the best one's timeline, remarks."""
+    """
+    Everything a person wants to see first: outcome, tree, alternatives, the best one's timeline, remarks.
+
+    Raises
+    ------
+    InputError
+        If the plan points at nodes or roles that it does not hold.
+    """
+    refuse_dangling(plan)
     return Group(*_sections(plan))
 
 
@@ -61,7 +71,7 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
     headline, style = HEADLINES[plan.outcome]
     yield Text.assemble((headline, style), ": ", words(plan.brief.text.strip() or "(no words)", "bold"))
     yield from _titled("How the words were read", [words(line) for line in plan.provenance.reading])
-    yield from _titled("Why", [reason_line(reason) for reason in plan.reasons])
+    yield from _titled("Why", _refusals(said_once(plan.reasons), plan))
     if plan.tree is not None and len(plan.tree.nodes) > 1:
         yield from _titled("Mission tree", [Text(tree_text(plan.tree).rstrip())])
     if plan.ranking is not None and plan.grounding is not None and plan.ranking.alternatives:
@@ -72,7 +82,8 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
             title = f"Schedule of alternative {best.rank}: {seconds(best.makespan_s)}, {_known(best)}"
             yield from _titled(title, [timeline(best, plan)])
     not_offered = plan.grounding.not_offered if plan.grounding else ()
-    yield from _titled("Not offered", _refusals(not_offered, plan))
+    told = frozenset(plan.reasons)
+    yield from _titled("Not offered", _refusals([reason for reason in not_offered if reason not in told], plan))
     yield from _remarks("Look at", plan.findings)
     yield from _remarks("Done on your behalf", plan.notices)
     yield from _remarks("Assumed", plan.assumptions)
@@ -94,11 +105,13 @@ def _remarks(title: str, reasons: Sequence[Reason]) -> Iterator[RenderableType]:
 
 def _refusals(reasons: Sequence[Reason], plan: Plan) -> list[RenderableType]:
     """Refusals that need a thought one by one, then plain lack of a capability, a line per routine and capability."""
-    lines: list[RenderableType] = [reason_line(reason) for reason in reasons if reason.rule != "capability_missing"]
+    lines: list[RenderableType] = []
     lacking: dict[tuple[str, str], list[str]] = {}
     for reason in reasons:
-        if reason.rule == "capability_missing":
+        if reason.rule == "capability_missing" and reason.node and reason.robot:
             lacking.setdefault((reason.node, reason.needed), []).append(reason.robot)
+        else:
+            lines.append(reason_line(reason))
     nodes = plan.tree.by_id if plan.tree else {}
     types = plan.brief.fleet.by_id
     for (node, needed), robots in lacking.items():
@@ -108,6 +121,18 @@ def _refusals(reasons: Sequence[Reason], plan: Plan) -> list[RenderableType]:
     if len(lines) > MAX_LINES:
         lines = [*lines[:MAX_LINES], Text(f"… and {len(lines) - MAX_LINES} more; --json lists them all", style="dim")]
     return lines
+
+
+def said_once(reasons: Sequence[Reason]) -> list[Reason]:
+    """The reasons; the first, which may sum up the others, without what stands below it as a reason of its own."""
+    if not reasons:
+        return []
+    first, *others = reasons
+    message = first.message
+    for other in others:
+        if other.message and len(other.message) < len(message):
+            message = message.replace(other.message, " ")
+    return [replace(first, message=" ".join(message.split()) or first.message), *others]
 
 
 def reason_line(reason: Reason) -> Text:
