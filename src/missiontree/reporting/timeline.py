@@ -11,7 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from missiontree.mission.plan import Plan
-from missiontree.mission.schedule import Schedule
+from missiontree.mission.schedule import Schedule, TravelLeg
 from missiontree.reporting.escape import one_line
 
 BAR_WIDTH = 48
@@ -40,16 +40,20 @@ def timeline_rows(schedule: Schedule, plan: Plan) -> Iterator[Row]:
     assert plan.grounding is not None
     tree = plan.grounding.tree
     moves = {action.leaf for action in schedule.actions if tree.action(action.leaf).moves}
-    distances = {leg.leaf: leg.distance_m for leg in schedule.legs}
+    ways = {(leg.robot, leg.leaf): leg for leg in schedule.legs}
     for action in schedule.actions:
         text = tree.action(action.leaf).text
-        if action.leaf in moves and action.leaf in distances:
-            text += f" ({distances[action.leaf]:.1f} m)"
+        if action.leaf in moves and (action.robot, action.leaf) in ways:
+            text += f" ({_way(ways[action.robot, action.leaf])})"
         yield Row(action.robot, action.start_s, action.end_s, text, action.leaf in moves)
     for leg in schedule.legs:
         if leg.leaf not in moves and leg.distance_m > 0:
-            text = f"travel {leg.distance_m:.1f} m" + (f" via {', '.join(leg.via)}" if leg.via else "")
-            yield Row(leg.robot, leg.start_s, leg.end_s, text, True)
+            yield Row(leg.robot, leg.start_s, leg.end_s, f"travel {_way(leg)}", True)
+
+
+def _way(leg: TravelLeg) -> str:
+    """How far, and by which nodes of the road graph."""
+    return f"{leg.distance_m:.1f} m" + (f" via {', '.join(leg.via)}" if leg.via else "")
 
 
 def _bars(by_robot: dict[str, list[Row]], makespan_s: float) -> Table:
