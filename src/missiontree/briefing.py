@@ -76,7 +76,8 @@ def request_from(
     mission
         The mission in words, or the path of a mission file.
     fleet, scene
-        Values, or files; without a fleet, the paper's sample fleet.
+        Values, or files. Default: the mission file's, else ``fleet.yaml`` and ``scene.yaml`` beside it, else the paper's
+        sample fleet and no scene.
     routines, methods
         Files of the user's own, beside the built-in ones.
     weights, check_kinds
@@ -99,8 +100,7 @@ def request_from(
         raise InputError(f"the mission has {len(words.split())} words", accepted=f"at most {MAX_WORDS} words")
     library_files = [base / name for name in file.routines] + [Path(name) for name in routines]
     method_files = [base / name for name in file.methods] + [Path(name) for name in methods]
-    fleet_from = fleet if fleet is not None else (base / file.fleet if file.fleet else FOLDER / "fleet.yaml")
-    scene_from = scene if scene is not None else (base / file.scene if file.scene else None)
+    fleet_from, scene_from = _fleet_source(fleet, file, path), _scene_source(scene, file, path)
     try:
         brief = MissionBrief(
             text=words,
@@ -112,9 +112,9 @@ def request_from(
             check_kinds=file.check_kinds if check_kinds is None else check_kinds,
         )
     except ValueError as error:
-        raise InputError(
-            str(error), file=str(path or ""), hint="The inputs do not fit together; mend one of them."
-        ) from error
+        misfits = ", ".join(source.split(" ", 1)[1] for source in _sources(path, fleet_from, scene_from, (), ()))
+        hint = f"{misfits or 'The inputs'}: these do not fit together; mend one of them."
+        raise InputError(str(error), hint=hint) from error
     tree = _value(base / file.tree, "tree") if file.tree else None
     sources = _sources(path, fleet_from, scene_from, library_files, method_files)
     request = Request(brief=brief, tree=tree, methods=tuple(method_files), sources=sources)
@@ -125,6 +125,26 @@ def request_from(
         "seed": file.seed,
     }
     return replace(request, **named | {name: value for name, value in options.items() if value is not None})
+
+
+def _fleet_source(fleet: Fleet | Path | str | None, file: MissionFile, path: Path | None) -> Fleet | Path | str:
+    """The fleet that is handed in, else the mission file's, else the one beside it, else the paper's."""
+    if fleet is not None:
+        return fleet
+    return _beside(file.fleet, "fleet.yaml", path) or FOLDER / "fleet.yaml"
+
+
+def _scene_source(scene: Scene | Path | str | None, file: MissionFile, path: Path | None) -> Scene | Path | str | None:
+    return scene if scene is not None else _beside(file.scene, "scene.yaml", path)
+
+
+def _beside(named: str | None, usual: str, path: Path | None) -> Path | None:
+    """A file that the mission file names, else that of the usual name in its folder; None if there is neither."""
+    if path is None:
+        return None
+    if named:
+        return path.parent / named
+    return path.with_name(usual) if path.with_name(usual).is_file() else None
 
 
 def _mission_file(path: Path) -> MissionFile:
@@ -146,4 +166,4 @@ def _sources(
 
 
 def _shown(path: str | Path) -> str:
-    return f"the paper's team ({Path(path).name})" if Path(path) == FOLDER / "fleet.yaml" else str(path)
+    return "the paper's team" if Path(path) == FOLDER / "fleet.yaml" else str(path)

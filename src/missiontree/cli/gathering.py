@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -42,10 +43,11 @@ def gather(
     if k is not None and k < 1:
         raise InputError(f"-k {k}", accepted="a whole number of at least 1")
     source, project = _mission(mission, sample)
+    in_words = isinstance(source, str) and project is None
     return request_from(
         source,
-        fleet=fleet,
-        scene=scene,
+        fleet=fleet or (_here("fleet.yaml") if in_words else None),
+        scene=scene or (_here("scene.yaml") if in_words else None),
         routines=routines or (),
         methods=methods or (),
         weights=_weights(weights),
@@ -75,9 +77,28 @@ def _mission(mission: str | None, sample: str | None) -> tuple[str | Path, Path 
                 hint="`missiontree init FOLDER` writes a folder to start from.",
             )
         return here, None
+    if mission.strip() and os.path.isdir(mission):  # Path.is_dir fails on a sentence of a thousand words
+        return _of_folder(Path(mission)), None
     if mission.endswith(MISSION_FILES):
         return Path(mission), None
     return mission, here if here.exists() else None
+
+
+def _of_folder(folder: Path) -> Path:
+    file = folder / "mission.yaml"
+    if not file.exists():
+        raise InputError(
+            "this is a folder without a mission.yaml",
+            file=str(folder),
+            accepted="a mission in words, a mission file, or a folder that holds mission.yaml",
+        )
+    return file
+
+
+def _here(name: str) -> Path | None:
+    """The file of that name in the folder one stands in, if there is one."""
+    path = Path(name)
+    return path if path.is_file() else None
 
 
 def _weights(text: str | None) -> Weights | None:

@@ -10,13 +10,25 @@ import typer
 Mission = Annotated[
     str | None,
     typer.Argument(
-        help="A mission in words, or a mission file (.yaml, .yml, .json). Default: mission.yaml of this folder."
+        help=(
+            "A mission in words, a mission file (.yaml, .yml, .json) or a folder with a mission.yaml. "
+            "Default: mission.yaml of this folder."
+        )
     ),
 ]
-FleetFile = Annotated[Path | None, typer.Option("--fleet", help="Fleet file. Default: the paper's team.")]
-SceneFile = Annotated[Path | None, typer.Option("--scene", help="Scene file.")]
+FleetFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--fleet", help="Fleet file. Default: the mission file's, else fleet.yaml of the folder, else the paper's team."
+    ),
+]
+SceneFile = Annotated[
+    Path | None,
+    typer.Option("--scene", help="Scene file. Default: the mission file's, else scene.yaml of the folder, else none."),
+]
 RoutineFiles = Annotated[
-    list[Path] | None, typer.Option("--routines", help="File of further routines; may be given several times.")
+    list[Path] | None,
+    typer.Option("--routines", help="File of further routines; may be given several times. A .py file is run."),
 ]
 MethodFiles = Annotated[
     list[Path] | None, typer.Option("--methods", help="File of further mission methods; may be given several times.")

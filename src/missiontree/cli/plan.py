@@ -58,6 +58,8 @@ def command(
         kinds=kinds,
         seed=seed,
     )
+    for file in (out, transcript):
+        refuse_unwritable(file)
     from missiontree.planner import plan_request
 
     if not (quiet or as_json):
@@ -90,6 +92,20 @@ def deliver(
         show(plan_view(plan), colour)
     if out is not None and not quiet:
         remark(f"written to {out}", colour)
+
+
+def refuse_unwritable(path: Path | None) -> None:
+    """
+    Refuse, before anything is planned, a file that could not be written afterwards.
+
+    Raises
+    ------
+    InputError
+        If its folder is not there or it is a folder itself.
+    """
+    if path is not None and (path.is_dir() or not path.parent.is_dir()):
+        found = "it is a folder" if path.is_dir() else f"there is no folder {path.parent}"
+        raise InputError("the file cannot be written", file=str(path), hint=f"{found[0].upper()}{found[1:]}.")
 
 
 def save(path: Path, text: str) -> None:

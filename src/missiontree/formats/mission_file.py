@@ -21,11 +21,11 @@ class MissionFile(Value):
     tree
         Path of a mission tree that is already there, instead of authoring one.
     fleet
-        Path of the fleet; default: the fleet of the folder, or of the command line.
+        Path of the fleet; default: ``fleet.yaml`` beside this file, else the paper's sample fleet.
     scene
-        Path of the scene; default: likewise, or none.
+        Path of the scene; default: ``scene.yaml`` beside this file, else none.
     routines
-        Paths of files with routines beside the built-in ones.
+        Paths of files with routines beside the built-in ones. A file whose name ends in ``.py`` is run.
     methods
         Paths of files with mission methods of the offline author beside the built-in ones.
     entities

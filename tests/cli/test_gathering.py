@@ -1,0 +1,82 @@
+"""What a command takes up from the folder one stands in, and what it leaves alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.running import Shell
+
+FLEET = "types: [{id: nobody_else, count: 1, place: gate, capabilities: {search: 1}}]\n"
+SCENE = "places: [{id: gate, position: {x_m: 0, y_m: 0}}]\n"
+
+
+@pytest.fixture
+def site(tmp_path: Path) -> Path:
+    """A folder with a fleet and a scene of the usual names; the fleet starts at a place of the scene."""
+    folder = tmp_path / "site"
+    folder.mkdir()
+    (folder / "fleet.yaml").write_text(FLEET, encoding="utf-8")
+    (folder / "scene.yaml").write_text(SCENE, encoding="utf-8")
+    return folder
+
+
+def test_a_sentence_is_planned_for_the_fleet_of_the_folder(
+    shell: Shell, site: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(site)
+    ran = shell("plan", "Find the cat")
+    assert ran.code == 0, ran
+    assert "nobody_else-1" in ran.out
+    assert "using fleet fleet.yaml\nusing scene scene.yaml\n" in ran.err
+
+
+def test_what_is_named_goes_before_what_lies_about(shell: Shell, site: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (site / "other.yaml").write_text(FLEET.replace("nobody_else", "somebody"), encoding="utf-8")
+    monkeypatch.chdir(site)
+    assert "somebody-1" in shell("plan", "Find the cat", "--fleet", "other.yaml").out
+
+
+def test_a_mission_file_that_names_no_fleet_takes_the_one_beside_it(shell: Shell, site: Path) -> None:
+    (site / "mission.yaml").write_text("mission: Find the cat", encoding="utf-8")
+    assert "nobody_else-1" in shell("plan", "site/mission.yaml").out
+    assert "nobody_else-1" in shell("plan", "site").out
+
+
+def test_without_any_the_papers_team_is_taken(shell: Shell) -> None:
+    ran = shell("plan", "Find the cat")
+    assert ran.err == "using fleet the paper's team\n"
+
+
+def test_python_files_that_lie_about_are_not_run(shell: Shell, site: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (site / "routines.py").write_text("raise RuntimeError('it was run')", encoding="utf-8")
+    monkeypatch.chdir(site)
+    assert shell("plan", "Find the cat").code == 0
+    ran = shell("plan", "Find the cat", "--routines", "routines.py")  # named, it is
+    assert ran.code == 2
+    assert "it was run" in ran.err
+
+
+@pytest.mark.parametrize("folder", ["site", "."])
+def test_a_folder_without_a_mission_is_said_to_be_one(shell: Shell, site: Path, folder: str) -> None:
+    assert site.is_dir()
+    ran = shell("plan", folder)
+    assert ran.code == 2, ran
+    assert "without a mission.yaml" in ran.err
+
+
+def test_files_that_do_not_fit_together_are_both_named(shell: Shell, site: Path) -> None:
+    (site / "scene.yaml").write_text("label: nothing here", encoding="utf-8")
+    (site / "mission.yaml").write_text("mission: Find the cat", encoding="utf-8")
+    ran = shell("plan", "site")
+    assert ran.code == 2
+    assert "'nobody_else' starts at place 'gate'" in ran.err
+    assert "site/fleet.yaml, site/scene.yaml: these do not fit together" in ran.err
+
+
+@pytest.mark.parametrize("option", ["--out", "--transcript"])
+def test_a_file_that_cannot_be_written_is_refused_before_planning(shell: Shell, option: str) -> None:
+    ran = shell("plan", "Find the cat", option, ".")
+    assert (ran.code, ran.out) == (2, "")
+    assert "cannot be written" in ran.err
