@@ -80,12 +80,14 @@ def test_collect_takes_routines_modules_and_lists() -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("x = 1\n", "defines no routine"),
-        ("1 / 0\n", "ZeroDivisionError"),
-        ("def (\n", "SyntaxError"),
+        ("x = 1\n", r"bad\.py: .*defines no routine"),
+        ("x = 1\n1 / 0\n", r"bad\.py:2: .*ZeroDivisionError"),
+        ("def (\n", r"bad\.py:1: .*SyntaxError"),
+        ("import sys\nsys.exit(0)\n", r"bad\.py:2: .*SystemExit"),
     ],
 )
 def test_a_bad_module_is_named_with_what_is_wrong(tmp_path: Path, text: str, message: str) -> None:
+    """Even one that would end the program: an exit code of 0 would say that there is a plan."""
     path = tmp_path / "bad.py"
     path.write_text(text, encoding="utf-8")
     with pytest.raises(InputError, match=message):

@@ -18,6 +18,7 @@ import importlib
 import importlib.util
 import inspect
 import sys
+import traceback
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from types import ModuleType
@@ -85,7 +86,10 @@ def collect(source: Routine | ModuleType | Path | str | Iterable[Routine]) -> tu
         return tuple(source)
     found = [value for value in vars(source).values() if isinstance(value, Routine)]
     if not found:
-        raise InputError(f"module {source.__name__!r} defines no routine.", hint="Decorate a function with @routine.")
+        file = str(source.__file__) if getattr(source, "__file__", None) else ""
+        raise InputError(
+            f"module {source.__name__!r} defines no routine.", file=file, hint="Decorate a function with @routine."
+        )
     return tuple({value.id: value for value in found}.values())
 
 
@@ -139,6 +143,17 @@ def _module(source: Path | str) -> ModuleType:
     except InputError as error:
         error.file = error.file or str(path)
         raise
-    except Exception as error:  # the user's own code may fail in any way
-        raise InputError(f"the module cannot be run: {type(error).__name__}: {error}", file=str(source)) from error
+    except (Exception, SystemExit) as error:  # the user's own code may fail, or end the program, in any way
+        raise InputError(
+            f"the module cannot be run: {type(error).__name__}: {error}", file=str(source), line=_line(error, path)
+        ) from error
     return module
+
+
+def _line(error: BaseException, path: Path) -> int:
+    """Line of a file that an error came by last; 0 if it did not come by."""
+    if isinstance(error, SyntaxError):
+        return error.lineno or 0
+    frames = traceback.extract_tb(error.__traceback__)
+    lines = [frame.lineno or 0 for frame in frames if Path(frame.filename) == path.absolute()]
+    return lines[-1] if lines else 0
