@@ -176,7 +176,6 @@ NOT_UNDERSTOOD = [
     "Find the quickly",
     "Find the dog's",
     "Pick up the parcel",
-    "Give Anna the keys",
     "Find the dog, but do not wake the baby",
     "When the visitor arrives, guide her to the lobby",
     "Carry the box upstairs",

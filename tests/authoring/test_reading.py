@@ -114,7 +114,7 @@ def test_what_is_no_noun_phrase(text: str) -> None:
 
 
 def test_a_name_that_the_scene_knows_may_hold_any_words() -> None:
-    reader = PhraseReader(LEXICON, frozenset({"hall to be for two"}))
+    reader = PhraseReader(LEXICON, {"hall to be for two": "place"})
     assert reader.phrases(words_of_text("the hall to be for two")) is not None
 
 

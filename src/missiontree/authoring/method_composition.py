@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from missiontree.authoring.method_outline import Outline, Piece, found_by, leaf_of
 from missiontree.authoring.reading import Relation
 from missiontree.authoring.reading_entities import Mention, title
-from missiontree.authoring.reading_goals import Goal
+from missiontree.authoring.reading_outcomes import Goal
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Routine, RoutineLibrary
 
@@ -40,9 +40,12 @@ def composed(goals: Sequence[Goal], library: RoutineLibrary) -> Composition:
     """Put the clauses together below one objective."""
     made = Composition()
     _search_once(goals, library, made)
-    tops = [_top(goal, made.outline) if len(goals) > 1 else goal.outline.pieces for goal in goals]
-    for goal, pieces in zip(goals, tops, strict=True):
-        made.outline.pieces += pieces
+    building = sum(bool(goal.outline.pieces) for goal in goals)
+    tops: list[list[Piece]] = []
+    for goal in goals:
+        event = _named_again(goal, made.outline)
+        tops.append(event or (_top(goal, made.outline) if building > 1 else goal.outline.pieces))
+        made.outline.pieces += [] if event else tops[-1]
         made.outline.links += goal.outline.links
     _order_as_said(goals, tops, library, made)
     _search_first(library, made)
@@ -50,8 +53,17 @@ def composed(goals: Sequence[Goal], library: RoutineLibrary) -> Composition:
     return made
 
 
+def _named_again(goal: Goal, outline: Outline) -> list[Piece]:
+    """What an earlier clause asks for, if this one only names that as an event: "when it is found"."""
+    if goal.clause.relation not in {"before", "after", "until"} or len(goal.outline.pieces) != 1:
+        return []
+    return [piece for piece in outline.pieces if _stands(goal.outline.pieces[0], [piece]) and piece.routine is not None]
+
+
 def _top(goal: Goal, outline: Outline) -> list[Piece]:
-    """One piece for a clause: its own, or a task named by its words."""
+    """One piece for a clause: its own, or a task named by its words; none for a statement."""
+    if not goal.outline.pieces:
+        return []
     if len(goal.outline.pieces) == 1 and not _stands(goal.outline.pieces[0], outline.pieces):
         return goal.outline.pieces
     label, number = title(goal.clause.text), 1
@@ -134,7 +146,7 @@ def _alongside(
 
 def _search_once(goals: Sequence[Goal], library: RoutineLibrary, made: Composition) -> None:
     """Whom an earlier clause searches for is not searched for again by a method of a later one."""
-    finders: dict[tuple[str, tuple[str, ...]], Piece] = {}
+    finders: dict[tuple[str, tuple[str, ...], tuple[str, ...]], Piece] = {}
     for goal in goals:
         leaves = [leaf for piece in goal.outline.pieces for leaf in piece.leaves]
         for leaf in leaves:

@@ -22,6 +22,7 @@ class Piece:
     mentions: tuple[Mention, ...] = ()
     pieces: list[Piece] = field(default_factory=list)
     gate: Gate = "and"
+    resources: tuple[str, ...] = ()
 
     @property
     def leaves(self) -> Iterator[Piece]:
@@ -34,10 +35,10 @@ class Piece:
             waiting.extend(reversed(piece.pieces))
 
     @property
-    def call(self) -> tuple[str, tuple[str, ...]]:
-        """Routine and names, for comparing."""
+    def call(self) -> tuple[str, tuple[str, ...], tuple[str, ...]]:
+        """Routine, names and robots, for comparing."""
         assert self.routine is not None
-        return self.routine.id, tuple(mention.name for mention in self.mentions)
+        return self.routine.id, tuple(mention.name for mention in self.mentions), self.resources
 
     def finds(self, name: str, library: RoutineLibrary) -> bool:
         """Whether the routine searches for somebody."""

@@ -21,10 +21,13 @@ from missiontree.authoring.method_composition import Composition, composed, ment
 from missiontree.authoring.method_outline import Piece
 from missiontree.authoring.methods import MethodLibrary, built_in_methods
 from missiontree.authoring.outcome import Authored, AuthoringStatus
-from missiontree.authoring.reading import MAX_WORDS, clauses_of, words_of_text
+from missiontree.authoring.reading import MAX_WORDS, Clause, Word, clauses_of, words_of_text
 from missiontree.authoring.reading_entities import Mention
-from missiontree.authoring.reading_goals import Goal, GoalReader, Trouble, Unserved
+from missiontree.authoring.reading_goals import GoalReader
+from missiontree.authoring.reading_outcomes import Goal, Trouble, Unserved
+from missiontree.authoring.reading_robots import robots_carried, robots_marked
 from missiontree.authoring.reading_taking import errands_joined
+from missiontree.authoring.reading_wording import verbs_repeated
 from missiontree.authoring.tools import ToolBox
 from missiontree.authoring.transcript import Transcript
 from missiontree.formats.digest import canonical
@@ -63,17 +66,26 @@ def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None) ->
             "incomplete", (Reason(rule="mission_too_long", message=message, hint="Shorten it, or set a model."),)
         )
     reader = GoalReader(brief, library)
-    clauses = errands_joined(clauses_of(words, reader.lexicon), reader.lexicon)
+    clauses = _clauses(words, reader)
     results = [reader.read(clause, following) for clause, following in zip(clauses, (*clauses[1:], None), strict=False)]
     desk.reading = tuple(_line(clause.text, result) for clause, result in zip(clauses, results, strict=True))
     troubles = tuple(result.reason for result in results if isinstance(result, Trouble))
     unserved = [result for result in results if isinstance(result, Unserved)]
-    if troubles or not results:
+    goals = [result for result in results if isinstance(result, Goal)]
+    if troubles or not (unserved or any(goal.outline.pieces for goal in goals)):
         nothing = Reason(rule="nothing_asked", message="The mission asks for nothing.", hint=WAY_OUT)
         return desk.ended("incomplete", (*(troubles or (nothing,)), *(_missing(brief, one) for one in unserved)))
     if unserved:
         return desk.declined(unserved)
-    return desk.built([result for result in results if isinstance(result, Goal)])
+    desk.remarks += reader.unused_statements(goals)
+    return desk.built(goals)
+
+
+def _clauses(words: tuple[Word, ...], reader: GoalReader) -> tuple[Clause, ...]:
+    """The clauses of the text, with what they leave out."""
+    marked = robots_marked(words, reader.brief.fleet, reader.lexicon, frozenset(reader.phrases.known))
+    clauses = verbs_repeated(clauses_of(marked, reader.lexicon), reader.lexicon)
+    return robots_carried(errands_joined(clauses, reader.lexicon))
 
 
 def _line(text: str, result: Goal | Unserved | Trouble) -> str:
@@ -236,8 +248,11 @@ class _Building:
                 "taskNameList": [p.label for p in pieces],
             }
         trees = [piece.routine.wire_name for piece in pieces if piece.routine is not None]
-        arguments = [[self.names[mention.name] for mention in piece.mentions] for piece in pieces]
+        arguments = [[*self._named(piece), *([list(piece.resources)] if piece.resources else [])] for piece in pieces]
         return "attachMultiSubTrees", where | {"treeNames": trees, "treeArguments": arguments}
+
+    def _named(self, piece: Piece) -> list[str]:
+        return [self.names[mention.name] for mention in piece.mentions]
 
     def _pairs(self, pieces: list[Piece]) -> list[list[Any]]:
         """The links within one call, by place in its list."""

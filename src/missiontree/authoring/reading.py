@@ -12,6 +12,8 @@ from missiontree.authoring.lexicon import Lexicon, Verb
 Relation = Literal["start", "and", "then", "meanwhile", "before", "after", "while", "until", "shares"]
 MAX_WORDS = 1000
 MAX_CLAUSE_WORDS = 60
+MARK = "@"  # begins a word that stands for a robot; no word of a text does, since signs are words of their own
+_TITLES = frozenset({"mr", "mrs", "ms", "dr", "prof"})
 _WORD = re.compile(r"\w+(?:['\-.,:]\w+)*|\S")
 _QUOTES = str.maketrans(
     {"’": "'", "‘": "'", "“": " ", "”": " ", '"': " ", "„": " ", "«": " ", "»": " ", "‐": "-", "‑": "-"}
@@ -50,6 +52,12 @@ class Clause:
         Words that change nothing, left out of ``words``.
     decisive
         Words that change what is asked for; if there are any, the clause is not understood.
+    robots
+        Robot types that are named to do it.
+    leads
+        Whether they are named before the verb.
+    sentence
+        Number of its sentence.
     """
 
     words: tuple[Word, ...]
@@ -58,6 +66,9 @@ class Clause:
     anchor: int | None = None
     passed_over: tuple[str, ...] = ()
     decisive: tuple[str, ...] = ()
+    robots: tuple[str, ...] = ()
+    leads: bool = False
+    sentence: int = 0
 
     @property
     def text(self) -> str:
@@ -68,7 +79,10 @@ class Clause:
 def words_of_text(text: str) -> tuple[Word, ...]:
     """The words and signs of a text; look-alike signs made alike, quotation marks left out."""
     plain = unicodedata.normalize("NFC", text).translate(_QUOTES)
-    return tuple(Word(word, word.lower()) for word in _WORD.findall(plain))
+    words = [Word(word, word.lower()) for word in _WORD.findall(plain)]
+    return tuple(
+        word for place, word in enumerate(words) if not (word.low == "." and place and words[place - 1].low in _TITLES)
+    )
 
 
 def clauses_of(words: tuple[Word, ...], lexicon: Lexicon) -> tuple[Clause, ...]:
@@ -88,6 +102,7 @@ class _Splitter:
     anchor: int | None = None
     leading: bool = False  # the clause under way is subordinate and its main clause comes behind it
     main: int | None = None  # index of the last main clause
+    sentence: int = 0
 
     def split(self) -> tuple[Clause, ...]:
         lows = [word.low for word in self.words]
@@ -101,6 +116,7 @@ class _Splitter:
         """Take what stands at a place; return how many words that was."""
         if lows[place] in _STOPS:
             self._close("start")
+            self.sentence += 1
             return 1
         if (joined := self.lexicon.joins.at(lows, place)) is not None and self._joins(lows, place, *joined):
             return joined[1]
@@ -140,7 +156,8 @@ class _Splitter:
             self.held.append(self.words[place])
             return 1
         if self.held and self._verb_follows(lows, behind):
-            alone = (verb := self._verb_of(self.held)) is not None and verb.length == len(self.held)
+            spoken = _without_openings(self.held, self.lexicon)[0]
+            alone = (verb := self._verb_of(self.held)) is not None and verb.length == len(spoken)
             self._close("and", shares=alone)
             return behind - place
         if self.held:
@@ -161,8 +178,8 @@ class _Splitter:
         return joined is not None and joined[0] == "first"
 
     def _verb_follows(self, lows: list[str], place: int) -> bool:
-        while (hit := self.lexicon.passed_over.at(lows, place)) is not None:
-            place += hit[1]
+        while (hit := self.lexicon.passed_over.at(lows, place)) is not None or _is_mark(lows, place):
+            place += hit[1] if hit else 1
         if (hit := self.lexicon.openings.at(lows, place)) is not None:
             place += hit[1]
         gerunds = (verb := self._verb_of(self.held)) is not None and verb.form == "gerund"
@@ -178,7 +195,8 @@ class _Splitter:
             clause = _finished(tuple(self.held), self.lexicon, is_event=self.relation in _SUBORDINATE)
             index = len(self.done)
             anchor = index + 1 if self.leading or shares else self.anchor
-            self.done.append(replace(clause, relation="shares" if shares else self.relation, anchor=anchor))
+            joined: Relation = "shares" if shares else self.relation
+            self.done.append(replace(clause, relation=joined, anchor=anchor, sentence=self.sentence))
             if not self.leading and self.relation not in _SUBORDINATE:
                 self.main = index
         elif following in {"start", "and"}:
@@ -206,13 +224,22 @@ def _says_something(words: list[Word], lexicon: Lexicon) -> bool:
     lows, place = [word.low for word in words], 0
     while place < len(lows):
         hit = lexicon.passed_over.at(lows, place) or lexicon.openings.at(lows, place)
-        if hit is None and lows[place] != ",":
+        if hit is None and lows[place] != "," and not _is_mark(lows, place):
             return True
         place += hit[1] if hit else 1
     return False
 
 
+def _is_mark(lows: list[str], place: int) -> bool:
+    return place < len(lows) and lows[place].startswith(MARK) and len(lows[place]) > len(MARK)
+
+
 def _finished(words: tuple[Word, ...], lexicon: Lexicon, *, is_event: bool) -> Clause:
+    marks = [place for place, word in enumerate(words) if _is_mark([word.low], 0)]
+    robots = tuple(dict.fromkeys(words[place].low.removeprefix(MARK) for place in marks))
+    before, _ = _without_openings(list(words[: marks[0]]), lexicon) if marks else ([], ())
+    leads = bool(marks) and lexicon.verb_at([word.low for word in before], 0, "base", "gerund") is None
+    words = tuple(word for place, word in enumerate(words) if place not in marks)
     lows = [word.low for word in words]
     decisive = tuple(phrase for phrase, _, _ in lexicon.decisive.within(lows))
     kept, passed = _without_openings(list(words), lexicon)
@@ -222,11 +249,13 @@ def _finished(words: tuple[Word, ...], lexicon: Lexicon, *, is_event: bool) -> C
     kept, _ = _without_openings(kept, lexicon)
     kept = _active(kept, lexicon, is_event=is_event)
     verb = lexicon.verb_at([word.low for word in kept], 0, "base", "gerund")
-    return Clause(words=tuple(kept), verb=verb, passed_over=(*passed, *more), decisive=decisive)
+    over = (*passed, *more)
+    return Clause(words=tuple(kept), verb=verb, passed_over=over, decisive=decisive, robots=robots, leads=leads)
 
 
 def _without_openings(words: list[Word], lexicon: Lexicon) -> tuple[list[Word], tuple[str, ...]]:
-    """The words behind "please", "the robots should" and the like, if a verb follows; else all of them."""
+    """The words behind "please", "the robots should" and the like, if a verb follows; else all of them, save marks."""
+    words = [word for word in words if not _is_mark([word.low], 0)]
     lows, start, passed = [word.low for word in words], 0, []
     while start < len(lows):
         if (hit := lexicon.passed_over.at(lows, start)) is not None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
-from missiontree.authoring.kinds import kind_of
-from missiontree.authoring.reading_phrases import Phrase, is_plural
+from missiontree.authoring.reading_phrases import Phrase, is_plural, kind_of_phrase
+from missiontree.authoring.reading_places import place_said, plain, spellings, stands_at
 from missiontree.mission.scene import Entity, Scene
 
 _SMALL = frozenset(
@@ -31,6 +32,9 @@ _SMALL = frozenset(
         "their",
     }
 )
+
+
+_INFANTS = frozenset({"child", "baby", "infant", "toddler"})  # may be "it"
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,17 +88,19 @@ class Speakers:
 
     scene: Scene
     described: dict[str, str] = field(default_factory=dict)
-    said: list[list[Mention]] = field(default_factory=list)
-    """Mentions clause by clause."""
+    said: list[list[tuple[Mention, ...]]] = field(default_factory=list)
+    """Mentions clause by clause, those that were named together in one."""
+    lost: set[str] = field(default_factory=set)
+    """Names of those who were stated to be lost."""
 
     def next_clause(self) -> None:
         """What is said from now on belongs to a new clause."""
         if not self.said or self.said[-1]:
             self.said.append([])
 
-    def remember(self, mentions: tuple[Mention, ...]) -> None:
+    def remember(self, groups: tuple[tuple[Mention, ...], ...]) -> None:
         """Keep what was mentioned, for pronouns."""
-        self.said[-1].extend(mentions)
+        self.said[-1].extend(groups)
 
     def resolve(self, phrase: Phrase) -> tuple[Mention, ...]:
         """
@@ -107,7 +113,7 @@ class Speakers:
         """
         if phrase.pronoun:
             return self._antecedent(phrase)
-        found = self._in_scene(phrase)
+        found = self._at_place(self._in_scene(phrase), phrase)
         if len(found) > 1 and not is_plural(phrase.name):
             options = ", ".join(sorted(entity.id for entity in found))
             raise UnclearError(f"{phrase.text!r} may be any of {options}; say which one")
@@ -119,7 +125,7 @@ class Speakers:
         """Somebody whom a method needs: of the scene under one of the names, or introduced."""
         for spelling in (*known_as, name):
             phrase = Phrase(name=spelling, text=spelling)
-            exact = [entity for entity in self.scene.all_entities if _plain(spelling) in _spellings(entity)]
+            exact = [entity for entity in self.scene.all_entities if plain(spelling) in spellings(entity)]
             if len(exact) == 1:
                 return self._of_scene(exact[0], phrase)
             if len(exact) > 1:
@@ -136,11 +142,11 @@ class Speakers:
         )
 
     def _in_scene(self, phrase: Phrase) -> list[Entity]:
-        everyone, name = self.scene.all_entities, _plain(phrase.name)
+        everyone, name = self.scene.all_entities, plain(phrase.name)
         forms = _singular(name)
         groups = (
-            [e for e in everyone if _spellings(e) & {name, _plain(phrase.full)}],
-            [e for e in everyone if _spellings(e) & set(forms)],
+            [e for e in everyone if spellings(e) & {name, plain(phrase.full)}],
+            [e for e in everyone if spellings(e) & set(forms)],
             [e for e in everyone if self._is_called(e, name)],
         )
         found = next((group for group in groups if group), [])
@@ -148,15 +154,12 @@ class Speakers:
 
     def _is_called(self, entity: Entity, name: str) -> bool:
         *before, last = name.split()
-        words = {word for spelling in _spellings(entity) for word in spelling.split()}
-        traits = {word for trait in entity.traits for word in _plain(trait).split()}
-        kinds = {_plain(kind) for kind in self.scene.lineage(entity.kind)} - {"object", "place"}
-        heads = {spelling.split()[-1] for spelling in _spellings(entity) if spelling} | kinds
+        words = {word for spelling in spellings(entity) for word in spelling.split()}
+        traits = {word for trait in entity.traits for word in plain(trait).split()}
+        kinds = {plain(kind) for kind in self.scene.lineage(entity.kind)} - {"object", "place"}
+        heads = {spelling.split()[-1] for spelling in spellings(entity) if spelling} | kinds
         heads |= {
-            word
-            for spelling in _spellings(entity)
-            for word in spelling.split()[-2:-1]
-            if spelling.split()[-1].isdigit()
+            word for spelling in spellings(entity) for word in spelling.split()[-2:-1] if spelling.split()[-1].isdigit()
         }
         return any(form in heads for form in _singular(last)) and set(before) <= words | traits | kinds
 
@@ -164,8 +167,8 @@ class Speakers:
         """Those among several whose traits fit what is said of them."""
         if len(found) < 2:
             return found
-        said = {word for part in (*phrase.states, phrase.description) for word in _plain(part).split()}
-        fitting = [e for e in found if said & {word for trait in e.traits for word in _plain(trait).split()}]
+        said = {word for part in (*phrase.states, phrase.description) for word in plain(part).split()}
+        fitting = [e for e in found if said & {word for trait in e.traits for word in plain(trait).split()}]
         if not fitting and phrase.lost:
             fitting = [entity for entity in found if self.scene.whereabouts(entity).source != "known"]
         return fitting or found
@@ -180,7 +183,7 @@ class Speakers:
             determined=phrase.determined,
             new=False,
             known=self.scene.whereabouts(entity).source == "known",
-            lost=phrase.lost,
+            lost=phrase.lost or entity.id in self.lost,
             plural=is_plural(phrase.name),
         )
 
@@ -191,26 +194,73 @@ class Speakers:
             raise UnclearError(
                 f"it is not clear whether {phrase.text!r} is the {phrase.name} of before; give them different names"
             )
-        proper = not phrase.determined and phrase.name[:1].isupper()
-        numbered = phrase.name.rsplit(" ", 1)[0] if phrase.name[-1].isdigit() else phrase.name
-        kind = kind_of(numbered) or ("person" if proper else "object")
-        plural = is_plural(phrase.name)
+        plural, kind = is_plural(phrase.name), kind_of_phrase(phrase)
+        if kind is None and not (phrase.determined or plural or phrase.name[-1].isdigit()):
+            raise UnclearError(f"{phrase.text!r} is no noun that is known; say 'the {phrase.name}' if it is a thing")
         return Mention(
-            label, label, title(phrase.full), kind, determined=phrase.determined, lost=phrase.lost, plural=plural
+            label,
+            label,
+            title(phrase.full),
+            kind or "object",
+            determined=phrase.determined,
+            lost=phrase.lost or label in self.lost,
+            plural=plural,
         )
+
+    def _at_place(self, found: list[Entity], phrase: Phrase) -> list[Entity]:
+        """Those that are where the words say; all if the scene does not know."""
+        place = place_said(phrase.description, self.scene) if found else None
+        if place is None:
+            return found
+        stands = {entity.id: stands_at(entity, place, self.scene) for entity in found}
+        there = [entity for entity in found if stands[entity.id]]
+        if not there and all(verdict is False for verdict in stands.values()):
+            raise UnclearError(f"the scene has {' and '.join(e.label for e in found)} elsewhere, not at {place.label}")
+        return there or found
 
     def _antecedent(self, phrase: Phrase) -> tuple[Mention, ...]:
         """Whom a pronoun means: somebody of the clause under way or of those before, the nearest first."""
-        for mentions in reversed(self.said):
-            fitting = list(dict.fromkeys(replace(m, lost=False) for m in mentions if _fits(m, phrase)))
-            if phrase.pronoun == "several":
-                fitting = [m for m in fitting if m.plural] or fitting
-            if len({mention.name for mention in fitting}) == 1 or (fitting and phrase.pronoun == "several"):
-                return tuple({mention.name: replace(mention, determined=True) for mention in fitting}.values())
+        if phrase.pronoun == "several":
+            return self._antecedents(phrase)
+        for groups in reversed(self.said):
+            fitting = {m.name: m for group in groups for m in group if _fits(m, phrase)}
+            if len(fitting) == 1:
+                return tuple(self._again(mention) for mention in fitting.values())
             if fitting:
-                options = " or ".join(mention.label for mention in fitting)
-                raise UnclearError(f"{phrase.text!r} may mean {options}; say which one")
+                raise _which(phrase, fitting.values())
         raise UnclearError(f"it is not clear what {phrase.text!r} means")
+
+    def _antecedents(self, phrase: Phrase) -> tuple[Mention, ...]:
+        """Whom "them" means: those named together in the nearest clause, or else the two that were named one by one."""
+        single: dict[str, Mention] = {}
+        for groups in reversed(self.said):
+            fitting = [[m for m in group if _fits(m, phrase)] for group in groups]
+            together = [group for group in fitting if len(group) > 1 or any(m.plural for m in group)]
+            if len(together) > 1:
+                raise _which(phrase, (mention for group in together for mention in group))
+            if together and not single:
+                return tuple({m.name: self._again(m) for m in together[0]}.values())
+            single |= {m.name: m for group in fitting for m in group if m.name not in single}
+            if together:
+                break
+        if len(single) == 2:
+            return tuple(self._again(single[name]) for name in sorted(single, key=self._first_said))
+        if single:
+            raise _which(phrase, single.values())
+        raise UnclearError(f"it is not clear what {phrase.text!r} means")
+
+    def _first_said(self, name: str) -> int:
+        everybody = (mention.name for groups in self.said for group in groups for mention in group)
+        return list(everybody).index(name)
+
+    def _again(self, mention: Mention) -> Mention:
+        """Somebody who is spoken of again; still lost if a statement said so."""
+        return replace(mention, lost=mention.name in self.lost, determined=True)
+
+
+def _which(phrase: Phrase, mentions: Iterable[Mention]) -> UnclearError:
+    options = " or ".join(dict.fromkeys(mention.label for mention in mentions))
+    return UnclearError(f"{phrase.text!r} may mean {options}; say which one")
 
 
 def title(text: str) -> str:
@@ -228,15 +278,8 @@ def _fits(mention: Mention, phrase: Phrase) -> bool:
         return mention.kind in {"person", "animal"} and not mention.plural
     if phrase.pronoun == "several":
         return mention.kind != "place"
-    return mention.kind in {"object", "animal"} and not mention.plural
-
-
-def _plain(text: str) -> str:
-    return " ".join(text.casefold().replace("_", " ").replace("-", " ").split())
-
-
-def _spellings(entity: Entity) -> set[str]:
-    return {_plain(spelling) for spelling in (entity.id, entity.label, *entity.aliases)}
+    infant = mention.name.lower().split()[-1] in _INFANTS
+    return (mention.kind in {"object", "animal"} or infant) and not mention.plural
 
 
 def _singular(noun: str) -> list[str]:

@@ -3,63 +3,27 @@
 from __future__ import annotations
 
 import difflib
-import re
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
 
-from missiontree.authoring.lexicon import Lexicon, Verb
+from missiontree.authoring.lexicon import Lexicon
 from missiontree.authoring.method_outline import Outline, StepError, fill, leaf_of, outline_of
-from missiontree.authoring.method_patterns import Element, Form, Span, first_words, fixed_words, matches
-from missiontree.authoring.methods import RESPONDER, Method, MethodLibrary, built_in_methods
+from missiontree.authoring.method_patterns import Span, first_words, matches
+from missiontree.authoring.methods import RESPONDER, Method, MethodLibrary
 from missiontree.authoring.reading import MAX_CLAUSE_WORDS, Clause, Word
+from missiontree.authoring.reading_candidates import Candidate, candidates
 from missiontree.authoring.reading_entities import Mention, Speakers, UnclearError
+from missiontree.authoring.reading_outcomes import Goal, Trouble, Unserved, trouble
 from missiontree.authoring.reading_phrases import Phrase, PhraseReader
+from missiontree.authoring.reading_places import stands_at
+from missiontree.authoring.reading_remarks import Read, Said, reading_line, unused_words
+from missiontree.authoring.reading_robots import named_robots
+from missiontree.authoring.reading_statements import Statement, statement_of
+from missiontree.authoring.reading_wording import plain_order, receiver_behind, with_object
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.reason import Reason
-from missiontree.mission.routine import Routine
-from missiontree.routines.library import built_in
 
-_TO = "to|into|onto|toward|towards"
-_ANY = f"{_TO}|at|in|on|from|with|for|inside|near|against|under|over|around|between|about|by"
-_PREPOSITIONS = frozenset(_ANY.split("|"))
-_DETERMINERS = frozenset({"the", "a", "her", "his", "my", "our", "their", "its", "your"})
-_PARTICLES = frozenset({"back", "over", "along", "away", "down", "up"})
-_OWN_METHOD, _OWN_ROUTINE, _METHOD, _ROUTINE, _SAME_GOAL = range(5)
-
-
-@dataclass(frozen=True, slots=True)
-class Trouble:
-    """A clause that is not understood, and why."""
-
-    reason: Reason
-
-
-@dataclass(frozen=True, slots=True)
-class Unserved:
-    """A clause that is understood, but asks for what no routine does."""
-
-    goal: str
-    verb: str
-
-
-@dataclass(frozen=True, slots=True)
-class Goal:
-    """A clause that is understood: what is to be built, how it was read, and what was taken for granted."""
-
-    clause: Clause
-    outline: Outline
-    reading: str
-    assumptions: tuple[Reason, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class _Candidate:
-    """A way of understanding a clause; smaller ranks are tried first."""
-
-    rank: tuple[int, int, int]
-    form: Form
-    method: Method | None = None
-    routine: Routine | None = None
+Bindings = dict[str, tuple[Mention, ...]]
 
 
 @dataclass
@@ -71,6 +35,11 @@ class GoalReader:
     speakers: Speakers = field(init=False)
     lexicon: Lexicon = field(init=False)
     phrases: PhraseReader = field(init=False)
+    hazards: list[str] = field(default_factory=list)
+    """Hazards of places and people that were stated."""
+    called_for: set[str] = field(default_factory=set)
+    """Hazards for which somebody was called."""
+    _statements: list[tuple[Clause, tuple[Mention, ...], tuple[str, ...]]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         verbs = [verb.lower() for routine in self.brief.routines.routines for verb in routine.verbs if verb.strip()]
@@ -78,76 +47,104 @@ class GoalReader:
             words for m in self.library.methods for forms in m.forms for form in forms if (words := first_words(form))
         ]
         self.lexicon = Lexicon(verbs)
-        entities = self.brief.world.all_entities
-        names = (name for entity in entities for name in (entity.id, entity.label, *entity.aliases))
-        known = frozenset(
-            form for name in names for form in (name.lower(), name.lower().replace("_", " ").replace("-", " "))
-        )
-        self.phrases = PhraseReader(self.lexicon, known)
-        self.speakers = Speakers(self.brief.world)
+        world = self.brief.world
+        names = {
+            form: world.base_kind(entity.kind)
+            for entity in world.all_entities
+            for name in (entity.id, entity.label, *entity.aliases)
+            for form in (name.lower(), name.lower().replace("_", " ").replace("-", " "))
+        }
+        self.phrases = PhraseReader(self.lexicon, names)
+        self.speakers = Speakers(world)
+        self._robots = named_robots(self.brief.fleet, frozenset(names))
 
     def read(self, clause: Clause, following: Clause | None = None) -> Goal | Unserved | Trouble:
         """What a clause asks for; ``following`` lends its object to a clause that has none ("find and rescue the dog")."""
         self.speakers.next_clause()
         if clause.decisive:
             words = ", ".join(repr(word) for word in clause.decisive)
-            return _trouble("decisive_words", clause, f"the offline author does not know what to make of {words} there")
+            return trouble("decisive_words", clause, f"the offline author does not know what to make of {words} there")
         if clause.verb is None:
-            return self._no_verb(clause)
+            stated = statement_of(clause, self.phrases, self.lexicon)
+            return self._no_verb(clause) if stated is None else self._stated(clause, stated)
         if len(clause.words) > MAX_CLAUSE_WORDS:
-            return _trouble(
-                "clause_too_long",
-                clause,
-                f"it has {len(clause.words)} words without an end; at most {MAX_CLAUSE_WORDS} are read",
+            long = f"it has {len(clause.words)} words without an end; at most {MAX_CLAUSE_WORDS} are read"
+            return trouble("clause_too_long", clause, long)
+        ways = candidates(clause.verb, self.library, self.brief.routines, self.lexicon)
+        if not ways:
+            goals = self.lexicon.goals_of.get(clause.verb.phrase, ())
+            return Unserved((*goals, clause.verb.phrase)[0], clause.verb.phrase)
+        if len(clause.robots) > 1:
+            return trouble(
+                "several_robots", clause, f"it names {' and '.join(clause.robots)}; name one type for each part"
             )
-        candidates = sorted(self._candidates(clause.verb), key=lambda candidate: candidate.rank)
-        if not candidates:
-            return Unserved(
-                (*self.lexicon.goals_of.get(clause.verb.phrase, ()), clause.verb.phrase)[0], clause.verb.phrase
-            )
-        read = _plain_order(_with_object(clause, following))
+        worded = self._worded(clause, following)
         try:
-            for candidate in candidates:
-                if (goal := self._tried(candidate, clause, read)) is not None:
+            for candidate in ways:
+                if (goal := self._tried(candidate, clause, worded)) is not None:
                     return goal
         except (UnclearError, StepError) as unclear:
-            return _trouble("unclear", clause, str(unclear))
-        said = "; ".join(list(dict.fromkeys(_example(candidate, clause.verb) for candidate in candidates))[:3])
-        behind = read[clause.verb.length :]
-        left = self._left_over(read)
-        if not behind:
-            detail = f"'{clause.verb.phrase}' lacks its object"
-        elif self.phrases.phrases(behind) is not None:
-            detail = f"'{clause.verb.phrase}' does not go with {' '.join(word.text for word in behind)!r} alone"
-        else:
-            detail = f"the verb '{clause.verb.phrase}' is understood, but not {left!r}"
-        return _trouble("words_left_over", clause, detail, f"Understood would be: {said}.")
+            return trouble("unclear", clause, str(unclear))
+        return self._left_over(clause, worded, ways)
 
-    def _candidates(self, verb: Verb) -> Iterator[_Candidate]:
-        shipped = {method.id: method for method in built_in_methods().methods}
-        for order, method in enumerate(self.library.methods):
-            tier = _METHOD if shipped.get(method.id) is method else _OWN_METHOD
-            for forms in method.forms:
-                for form in forms:
-                    if self._begins(form, verb):
-                        yield _Candidate((tier, -fixed_words(form), order), form, method=method)
-        ours = built_in().by_id
-        goals = set(self.lexicon.goals_of.get(verb.phrase, ()))
-        for order, routine in enumerate(self.brief.routines.routines):
-            own = ours.get(routine.id) != routine
-            verbs = [known.lower() for known in routine.verbs]
-            exact = verb.phrase in verbs
-            if exact or any(goals & set(self.lexicon.goals_of.get(known, ())) for known in verbs):
-                tier = (_OWN_ROUTINE if own else _ROUTINE) if exact else _SAME_GOAL
-                form = _routine_form(routine, verb, own)
-                yield _Candidate((tier, -len(routine.arguments), order), form, routine=routine)
+    def unused_statements(self, goals: Sequence[Goal]) -> Iterator[Reason]:
+        """Assumptions about what was stated and changes nothing."""
+        spoken = {
+            m.name for goal in goals for piece in goal.outline.pieces for leaf in piece.leaves for m in leaf.mentions
+        }
+        for clause, mentions, hazards in self._statements:
+            if not ({mention.name for mention in mentions} & spoken or set(hazards) & self.called_for):
+                message = f"{clause.text!r} does not change what is planned."
+                yield Reason(rule="words_unused", message=message, severity="assumption", node=mentions[0].label)
 
-    def _begins(self, form: Form, verb: Verb) -> bool:
-        if form[0].kind == "goal":
-            return verb.phrase in self.lexicon.phrases_of.get(form[0].text, ())
-        return form[0].text == verb.phrase.split()[0]
+    def _stated(self, clause: Clause, stated: Statement) -> Goal | Trouble:
+        try:
+            self._refuse_robots(stated.phrases)
+            groups = tuple(self.speakers.resolve(phrase) for phrase in stated.phrases)
+        except UnclearError as unclear:
+            return trouble("unclear", clause, str(unclear))
+        mentions = tuple(mention for group in groups for mention in group)
+        self.speakers.remember((mentions,))
+        self.speakers.lost |= {mention.name for mention in mentions if stated.lost}
+        self.hazards += stated.hazards
+        self._statements.append((clause, mentions, stated.hazards))
+        states = ["lost"] if stated.lost else []
+        about = ", ".join(mention.label for mention in mentions)
+        return Goal(
+            clause, Outline(), f"{clause.text!r}: a statement; {about}: {', '.join([*states, *stated.hazards])}"
+        )
 
-    def _tried(self, candidate: _Candidate, clause: Clause, words: tuple[Word, ...]) -> Goal | None:
+    def _worded(self, clause: Clause, following: Clause | None) -> tuple[Word, ...]:
+        """The words of a clause in plain order, with all that is left out."""
+        assert clause.verb is not None
+        words = plain_order(with_object(clause, following))
+        if "bring" not in self.lexicon.goals_of.get(clause.verb.phrase, ()):
+            return words
+        return receiver_behind(words, len(clause.verb.phrase.split()), self.phrases)
+
+    def _tried(self, candidate: Candidate, clause: Clause, words: tuple[Word, ...]) -> Goal | None:
+        """What a clause asks for if it is understood in one way; None if that does not fit."""
+        read = self._matched(candidate, clause, words)
+        if read is None:
+            return None
+        self._refuse_robots(phrase for phrases in read.values() for phrase in phrases)
+        said = {slot: tuple(m for p in phrases for m in self.speakers.resolve(p)) for slot, phrases in read.items()}
+        if candidate.method is not None and not self._holds(candidate.method, said, read):
+            return None
+        if several := [slot for slot, phrases in list(read.items())[1:] if len(phrases) > 1]:
+            texts = " and ".join(phrase.text for phrase in read[several[0]])
+            raise UnclearError(f"it is not clear which of {texts} is meant for which")
+        outline = self._outline(candidate, said, words)
+        if not outline.pieces:
+            return None
+        for leaf in (leaf for piece in outline.pieces for leaf in piece.leaves):
+            leaf.resources = clause.robots
+        self._refuse_other_places(outline, said)
+        self.speakers.remember(tuple(said.values()))
+        remarks = unused_words(outline, read, said, self.lexicon, self.brief.world)
+        return Goal(clause, outline, reading_line(candidate, clause, read, said), tuple(remarks))
+
+    def _matched(self, candidate: Candidate, clause: Clause, words: tuple[Word, ...]) -> Read | None:
         assert clause.verb is not None
         spans = matches(
             candidate.form,
@@ -158,221 +155,83 @@ class GoalReader:
         )
         if spans is None:
             return None
-        read = {
-            slot: self.phrases.phrases(words[start:end]) or ()
-            for slot, (start, end) in sorted(spans.items(), key=_by_place)
-        }
-        self._refuse_robots(phrase for phrases in read.values() for phrase in phrases)
-        bindings = {
-            slot: tuple(m for phrase in phrases for m in self.speakers.resolve(phrase))
-            for slot, phrases in read.items()
-        }
-        if candidate.method is not None and not self._holds(candidate.method, bindings, read, words):
-            return None
-        if several := [slot for slot, phrases in list(read.items())[1:] if len(phrases) > 1]:
-            raise UnclearError(
-                f"it is not clear which of {' and '.join(p.text for p in read[several[0]])} is meant for which"
-            )
-        said = bindings
+        by_place = sorted(spans.items(), key=_place)
+        return {slot: self.phrases.phrases(words[start:end]) or () for slot, (start, end) in by_place}
+
+    def _outline(self, candidate: Candidate, said: Bindings, words: tuple[Word, ...]) -> Outline:
         if candidate.method is not None:
-            bindings = self._completed(candidate.method, bindings, words)
-            outline = outline_of(candidate.method, bindings, self.brief.routines)
-        else:
-            assert candidate.routine is not None
-            outline = Outline()
-            objects, *rest = bindings.values()
-            outline.pieces = [leaf_of(candidate.routine, (one, *(mentions[0] for mentions in rest))) for one in objects]
-        if not outline.pieces:
-            return None
-        self.speakers.remember(tuple(mention for mentions in said.values() for mention in mentions))
-        reading = self._reading(candidate, clause, read, said)
-        return Goal(clause, outline, reading, tuple(self._assumed(outline, read, said)))
+            return outline_of(candidate.method, self._completed(candidate.method, said, words), self.brief.routines)
+        assert candidate.routine is not None
+        objects, *rest = said.values()
+        return Outline([leaf_of(candidate.routine, (one, *(mentions[0] for mentions in rest))) for one in objects])
 
     def _refuse_robots(self, phrases: Iterable[Phrase]) -> None:
         """Who shall do it is no description of whom it is done to."""
-        robots = {name.lower() for kind in self.brief.fleet.types for name in (kind.id, kind.label)}
-        robots |= {robot.lower() for robot in self.brief.fleet.robots}
         for phrase in phrases:
-            text = f" {phrase.text.lower()} "
-            named = next((robot for robot in sorted(robots) if f" {robot} " in text), None)
-            if named is not None and phrase.name.lower() not in self.phrases.known:
-                raise UnclearError(
-                    f"{named!r} is a robot of the fleet; which robot does what is not read from the words"
-                )
+            named = self._robots.within([low.removesuffix("'s") for low in phrase.text.lower().split()])
+            if named and phrase.name.lower() not in self.phrases.known:
+                way = f"say who does it as in 'with the {named[0][0]}' or 'use the {named[0][0]} to ...'"
+                raise UnclearError(f"{named[0][0]!r} is a robot of the fleet; {way}")
 
-    def _holds(
-        self,
-        method: Method,
-        bindings: dict[str, tuple[Mention, ...]],
-        read: dict[str, tuple[Phrase, ...]],
-        words: tuple[Word, ...],
-    ) -> bool:
+    def _refuse_other_places(self, outline: Outline, said: Said) -> None:
+        """A place that only says where somebody is must be where the scene has them."""
+        world = self.brief.world
+        used = {mention.name for piece in outline.pieces for leaf in piece.leaves for mention in leaf.mentions}
+        mentions = [mention for group in said.values() for mention in group if not mention.new]
+        for site in (mention for mention in mentions if mention.kind == "place" and mention.name not in used):
+            for mention in mentions:
+                if (
+                    mention.name in used
+                    and stands_at(world.by_id[mention.name], world.by_id[site.name], world) is False
+                ):
+                    raise UnclearError(f"the scene has {mention.label} elsewhere, not at {site.label}")
+
+    def _holds(self, method: Method, said: Said, read: Read) -> bool:
+        """Whether the conditions of a method hold."""
         for slot, conditions in method.where.items():
-            if slot not in bindings:
+            if slot not in said:
                 continue
             hazard = any(self.lexicon.hazard_words.within(phrase.name.lower().split()) for phrase in read[slot])
-            holds = {"hazard"} if hazard else {mention.kind for mention in bindings[slot]}
-            if any(mention.to_be_found for mention in bindings[slot]):
+            holds = {"hazard"} if hazard else {mention.kind for mention in said[slot]}
+            if any(mention.to_be_found for mention in said[slot]):
                 holds.add("lost")
             if not holds & set(conditions):
                 return False
         return True
 
-    def _completed(
-        self, method: Method, bindings: dict[str, tuple[Mention, ...]], words: tuple[Word, ...]
-    ) -> dict[str, tuple[Mention, ...]]:
+    def _completed(self, method: Method, said: Bindings, words: tuple[Word, ...]) -> Bindings:
         """The slots with what the method implies, and those who are called for the hazards that the words name."""
-        complete = dict(bindings)
+        complete = dict(said)
         for name, implied in method.implies.items():
-            complete[name] = (self.speakers.implied(fill(implied.name, bindings), implied.kind, implied.known_as),)
-        hazards = dict.fromkeys(name for name, _, _ in self.lexicon.hazard_words.within([word.low for word in words]))
+            complete[name] = (self.speakers.implied(fill(implied.name, said), implied.kind, implied.known_as),)
+        hazards = [name for name, _, _ in self.lexicon.hazard_words.within([word.low for word in words])] + self.hazards
         called = dict.fromkeys(str(self.lexicon.hazards[name]["responder"]) for name in hazards)
         complete[RESPONDER] = tuple(self.speakers.implied(name, "person") for name in called)
+        if any(RESPONDER in step.mentions for step in method.all_steps):
+            self.called_for |= set(hazards)
         return complete
-
-    def _reading(
-        self,
-        candidate: _Candidate,
-        clause: Clause,
-        read: dict[str, tuple[Phrase, ...]],
-        said: dict[str, tuple[Mention, ...]],
-    ) -> str:
-        by = (
-            f"method {candidate.method.id}"
-            if candidate.method
-            else f"routine {candidate.routine.id}"
-            if candidate.routine
-            else ""
-        )
-        slots = ", ".join(
-            f"{slot} = {' and '.join(phrase.text for phrase in phrases)} ({', '.join(m.label for m in said[slot])})"
-            for slot, phrases in read.items()
-        )
-        over = f"; passed over: {', '.join(clause.passed_over)}" if clause.passed_over else ""
-        return f"{clause.text!r}: {by}, {_shown(candidate.form)}; {slots}{over}"
-
-    def _assumed(
-        self, outline: Outline, read: dict[str, tuple[Phrase, ...]], said: dict[str, tuple[Mention, ...]]
-    ) -> Iterator[Reason]:
-        used = {mention.name for piece in outline.pieces for leaf in piece.leaves for mention in leaf.mentions}
-        for slot, phrases in read.items():
-            for phrase in phrases:
-                if phrase.description and not self._is_used(phrase.description):
-                    message = f"{phrase.description!r} is taken to describe {phrase.name}; the plan makes no use of it."
-                    yield Reason(rule="description_unused", message=message, severity="assumption", node=phrase.name)
-            for mention in said[slot]:
-                if (
-                    mention.name not in used
-                    and not any(mention.label in piece.label for piece in outline.pieces)
-                    and not self._implied_by(mention, used)
-                ):
-                    message = f"{mention.label} does not change what is planned."
-                    yield Reason(rule="words_unused", message=message, severity="assumption", node=mention.label)
-                elif mention.plural and mention.new:
-                    message = f"{mention.label} are planned for as one group."
-                    yield Reason(
-                        rule="planned_as_one",
-                        message=message,
-                        severity="assumption",
-                        node=mention.label,
-                        hint="Declare each of them in the scene if they are to be planned for one by one.",
-                    )
-
-    def _is_used(self, description: str) -> bool:
-        """Whether the description says that somebody is lost, or names a hazard."""
-        lows = description.lower().split()
-        return lows[0] in self.lexicon.words["lost"] or bool(self.lexicon.hazard_words.within(lows))
-
-    @staticmethod
-    def _implied_by(mention: Mention, used: set[str]) -> bool:
-        return any(name.endswith(f" of {mention.label}") for name in used)
 
     def _no_verb(self, clause: Clause) -> Trouble:
         first = clause.words[0].low
-        near = difflib.get_close_matches(
-            first[:40], [phrase for phrase in self.lexicon.goals_of if " " not in phrase], n=2, cutoff=0.75
-        )
+        verbs = [phrase for phrase in self.lexicon.goals_of if " " not in phrase]
+        near = difflib.get_close_matches(first[:40], verbs, n=2, cutoff=0.75)
         hint = f"Did you mean {' or '.join(map(repr, near))}? " if near else ""
-        return _trouble(
-            "verb_unknown",
-            clause,
-            "it does not begin with a verb that is known",
-            f"{hint}Begin with what is to be done: 'Find ...', 'Bring ... to ...'.",
-        )
+        begin = f"{hint}Begin with what is to be done: 'Find ...', 'Bring ... to ...'."
+        return trouble("verb_unknown", clause, "it does not begin with a verb that is known", begin)
 
-    def _left_over(self, words: tuple[Word, ...]) -> str:
-        """The words from the first that belongs to no noun phrase."""
-        assert words
-        verb = self.lexicon.verb_at([word.low for word in words], 0, "base")
-        start = verb.length if verb else 1
-        end = start
-        while end < len(words) and self.phrases.phrases(words[start : end + 1]) is not None:
-            end += 1
-        for longer in range(min(len(words), end + 12), end, -1):
-            if self.phrases.phrases(words[start:longer]) is not None:
-                end = longer
-                break
-        return " ".join(word.text for word in words[end if end < len(words) else start :])
+    def _left_over(self, clause: Clause, words: tuple[Word, ...], ways: Sequence[Candidate]) -> Trouble:
+        assert clause.verb is not None
+        examples = list(dict.fromkeys(candidate.example(clause.verb) for candidate in ways))[:3]
+        behind = words[len(clause.verb.phrase.split()) :]
+        if not behind:
+            detail = f"'{clause.verb.phrase}' lacks its object"
+        elif self.phrases.phrases(behind) is not None:
+            detail = f"'{clause.verb.phrase}' does not go with {' '.join(word.text for word in behind)!r} alone"
+        else:
+            left = " ".join(word.text for word in self.phrases.left_over(behind))
+            detail = f"the verb '{clause.verb.phrase}' is understood, but not {left!r}"
+        return trouble("words_left_over", clause, detail, f"Understood would be: {'; '.join(examples)}.")
 
 
-def _by_place(entry: tuple[str, Span]) -> Span:
+def _place(entry: tuple[str, Span]) -> Span:
     return entry[1]
-
-
-def _routine_form(routine: Routine, verb: Verb, own: bool) -> Form:
-    """The verb, then the arguments in order with prepositions between them."""
-    form = [Element("word", word) for word in verb.phrase.split()]
-    for number, argument in enumerate(routine.arguments):
-        if number:
-            form.append(Element("word", _ANY if own else _TO))
-        form.append(Element("slot", argument.name))
-    return tuple(form)
-
-
-def _with_object(clause: Clause, following: Clause | None) -> Clause:
-    """The clause, with the object of the one behind it if it shares that."""
-    assert clause.verb is not None
-    base = tuple(Word(part, part) for part in clause.verb.phrase.split())
-    rest = clause.words[clause.verb.length :]
-    if clause.relation == "shares" and following is not None and following.verb is not None and not rest:
-        behind = following.words[following.verb.length :]
-        end = next((place for place, word in enumerate(behind) if place and word.low in _TO.split("|")), len(behind))
-        rest = behind[:end]
-    return replace(clause, words=(*base, *rest))
-
-
-def _plain_order(clause: Clause) -> tuple[Word, ...]:
-    """The words with "back to" as "to", and "home" and "there" behind a "to"."""
-    words: list[Word] = []
-    assert clause.verb is not None
-    for place, word in enumerate(clause.words):
-        following = clause.words[place + 1].low if place + 1 < len(clause.words) else ""
-        if place >= clause.verb.length and word.low in _PARTICLES and following in {*_PREPOSITIONS, "home", "there"}:
-            continue
-        before = words[-1].low if words else ""
-        if word.low in {"home", "there"} and not following and place > clause.verb.length:
-            object_her = before == "her" and place == clause.verb.length + 1
-            if object_her or not (before in _PREPOSITIONS | _DETERMINERS or before.endswith("'s")):
-                words.append(Word("to", "to"))
-        words.append(word)
-    return tuple(words)
-
-
-def _shown(form: Form) -> str:
-    return " ".join(
-        {"slot": f"{{{e.text}}}", "goal": f"<{e.text}>", "doing": "<doing>"}.get(e.kind, e.text.split("|")[0])
-        for e in form
-    )
-
-
-def _example(candidate: _Candidate, verb: Verb) -> str:
-    """The pattern as somebody would say it."""
-    if candidate.method is None:
-        return _shown(candidate.form)
-    return re.sub("<[^<>]*>", verb.phrase, candidate.method.says[0], count=1)
-
-
-def _trouble(rule: str, clause: Clause, detail: str, hint: str = "") -> Trouble:
-    message = f"{clause.text[:200]!r} is not understood: {detail}."
-    way_out = "Reword it, set a model, or add a method (docs/how-to/write-a-method.md)."
-    return Trouble(Reason(rule=rule, message=message, found=clause.text[:200], hint=f"{hint} {way_out}".strip()))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -63,9 +63,9 @@ class Phrase:
 class PhraseReader:
     """Reads noun phrases strictly: a word that may mean something else makes it no phrase at all."""
 
-    def __init__(self, lexicon: Lexicon, known_names: frozenset[str] = frozenset()) -> None:
+    def __init__(self, lexicon: Lexicon, known: Mapping[str, str] | None = None) -> None:
         self._lexicon = lexicon
-        self.known = known_names
+        self.known = known or {}  # names of the scene, to their base kinds
         self._small = lexicon.words
         self._determiners = lexicon.table("determiners")
         self._read = lru_cache(maxsize=4096)(self._one)
@@ -78,6 +78,25 @@ class PhraseReader:
             return (whole,)
         read = [self._read(part) for part in _parts(words)]
         return tuple(phrase for phrase in read if phrase is not None) if None not in read else None
+
+    def parts(self, words: Sequence[Word]) -> tuple[tuple[Word, ...], ...] | None:
+        """The words of each phrase; None if they are not wholly phrases."""
+        if self.phrases(words) is None:
+            return None
+        return (tuple(words),) if self._whole_name(tuple(words)) is not None else tuple(_parts(words))
+
+    def kind_of(self, phrase: Phrase) -> str | None:
+        """Base kind of who is spoken of: the scene's, that of the noun, or person for a name; None if that cannot be said."""
+        return self.known.get(phrase.name.lower()) or kind_of_phrase(phrase)
+
+    def left_over(self, words: Sequence[Word]) -> Sequence[Word]:
+        """The words from the first that belongs to no noun phrase."""
+        end = 0
+        while end < len(words) and self.phrases(words[: end + 1]) is not None:
+            end += 1
+        longer = range(min(len(words), end + 12), end, -1)
+        end = next((place for place in longer if self.phrases(words[:place]) is not None), end)
+        return words[end if end < len(words) else 0 :]
 
     def _whole_name(self, words: tuple[Word, ...]) -> Phrase | None:
         """A name that the scene knows may hold any words."""
@@ -233,6 +252,13 @@ class PhraseReader:
             and last not in small["relatives"]
             and (last not in small["determiners"] or last in states)
         )
+
+
+def kind_of_phrase(phrase: Phrase) -> str | None:
+    """Base kind of what a phrase names, going by its noun; a name of its own is taken to be a person's."""
+    numbered = phrase.name.rsplit(" ", 1)[0] if phrase.name[-1].isdigit() else phrase.name
+    proper = not phrase.determined and phrase.name[:1].isupper()
+    return kind_of(numbered) or ("person" if proper else None)
 
 
 def is_plural(name: str) -> bool:

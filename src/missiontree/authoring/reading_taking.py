@@ -52,4 +52,6 @@ def _joined(taking: Clause, bringing: Clause) -> Clause:
     verb = bringing.words[: bringing.verb.length]
     words = (*verb, *taking.words[taking.verb.length :], *bringing.words[bringing.verb.length + 1 :])
     passed = (*taking.passed_over, *bringing.passed_over)
-    return replace(bringing, words=words, relation=taking.relation, anchor=taking.anchor, passed_over=passed)
+    robots = tuple(dict.fromkeys((*taking.robots, *bringing.robots)))
+    joined = replace(bringing, words=words, passed_over=passed, robots=robots, leads=taking.leads)
+    return replace(joined, relation=taking.relation, anchor=taking.anchor, sentence=taking.sentence)

@@ -1,0 +1,59 @@
+"""Where the words say that something is, held against where the scene has it."""
+
+from __future__ import annotations
+
+from missiontree.mission.position import Position
+from missiontree.mission.scene import Entity, Scene
+
+_AT = frozenset({"in", "at", "inside", "from", "on"})
+_DETERMINERS = frozenset({"the", "a", "an", "my", "your", "his", "her", "its", "our", "their"})
+
+
+def place_said(description: str, scene: Scene) -> Entity | None:
+    """The one place or thing of the scene that a description such as "in the kitchen" names; None if it names none."""
+    words = plain(description).split()
+    if len(words) < 2 or words[0] not in _AT:
+        return None
+    name = " ".join(words[1 + (words[1] in _DETERMINERS) :])
+    named = [entity for entity in scene.all_entities if name in spellings(entity)]
+    return named[0] if len(named) == 1 else None
+
+
+def stands_at(entity: Entity, place: Entity, scene: Scene) -> bool | None:
+    """
+    Whether the scene has an entity at a place; None if it does not say.
+
+    An entity that has only a position is at the place that is nearest to it.
+    """
+    above: Entity | None = entity
+    for _ in scene.all_entities:
+        if above is None or above.place is None:
+            break
+        if above.place == place.id:
+            return True
+        above = scene.by_id.get(above.place)
+    here, there = scene.whereabouts(entity), scene.whereabouts(place)
+    if here.source != "known" or here.position is None or there.position is None:
+        return None
+    if entity.place is not None:
+        return here.position == there.position
+    reach = _distance(here.position, there.position)
+    others = (scene.whereabouts(other).position for other in scene.places if other.id not in {place.id, entity.id})
+    return all(reach <= _distance(here.position, other) for other in others if other is not None)
+
+
+def plain(text: str) -> str:
+    """The text as names are compared: small letters, words separated by single spaces."""
+    return " ".join(text.casefold().replace("_", " ").replace("-", " ").split())
+
+
+def spellings(entity: Entity) -> set[str]:
+    """Everything an entity may be called."""
+    return {plain(spelling) for spelling in (entity.id, entity.label, *entity.aliases)}
+
+
+def _distance(one: Position, other: Position) -> float:
+    """Squared, in the plane; what is on another floor is farther than anything else."""
+    if one.floor != other.floor:
+        return float("inf")
+    return (one.x_m - other.x_m) ** 2 + (one.y_m - other.y_m) ** 2
