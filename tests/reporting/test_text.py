@@ -51,6 +51,8 @@ def test_no_line_is_wider_than_asked_or_ends_in_blanks() -> None:
 def test_a_reason_shows_its_mark_and_what_to_do() -> None:
     line = render(reason_line(Reason(rule="x", message="It is too heavy.", hint="Take a stronger robot.")))
     assert line == "✗ It is too heavy. Take a stronger robot.\n"
+    part = render(reason_line(Reason(rule="x", message="It is too heavy.", hint="take a stronger robot")))
+    assert part == line  # hints of every part of missiontree read alike
 
 
 def test_every_robot_that_works_has_a_bar_and_a_list() -> None:

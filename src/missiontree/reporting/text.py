@@ -140,8 +140,15 @@ def reason_line(reason: Reason) -> Text:
     mark, style = MARKS[reason.severity]
     line = Text.assemble((mark, style), " ", words(reason.message))
     if reason.hint:
-        line.append(" ").append_text(words(reason.hint, "dim"))
+        line.append(" ").append_text(words(_sentence(reason.hint), "dim"))
     return line
+
+
+def _sentence(text: str) -> str:
+    """The text with a capital at its beginning, unless a name stands there, and a full stop at its end."""
+    first = text.split(maxsplit=1)[0] if text.split() else ""
+    start = text[:1].upper() if first.isalpha() else text[:1]
+    return start + text[1:] + ("" if text.endswith((".", "?", "!", ":", ")", "…")) else ".")
 
 
 def seconds(time_s: float) -> str:
