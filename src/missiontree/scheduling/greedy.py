@@ -20,6 +20,7 @@ from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.scheduling.alike import alike_roles
 from missiontree.scheduling.approach_budget import approaches_too_dear
 from missiontree.scheduling.bounds import lower_bounds
 from missiontree.scheduling.bundles import bundles_of, crews_of
@@ -77,9 +78,9 @@ def _read(
     if reasons := [*budgets_exceeded(graph, staffing, fleet), *approaches_too_dear(graph, places, trips)]:
         return "budget_bound", reasons
     bounds = lower_bounds(graph, order, staffing, places, fleet, trips)
-    return Problem(
-        graph, staffing, bounds, fleet, trips, bundles_of(graph), crews_of(graph), group_needs(graph, staffing)
-    )
+    needs = group_needs(graph, staffing)
+    alike = alike_roles(graph, staffing, needs)
+    return Problem(graph, staffing, bounds, fleet, trips, bundles_of(graph), crews_of(graph), needs, alike)
 
 
 def _best(problem: Problem, alternative: Alternative, control: Control) -> tuple[Draft | None, list[Reason]]:

@@ -30,6 +30,8 @@ class Problem:
         Roles that must be under way together, and roles that work jointly.
     needs
         What each group of roles uses of each budget at least.
+    alike
+        A number per role, equal for roles that ask the same of a robot.
     """
 
     graph: TaskGraph
@@ -40,6 +42,7 @@ class Problem:
     bundles: Bundles
     crews: Mapping[int, int]
     needs: Mapping[int, Mapping[str, float]]
+    alike: Mapping[int, int]
 
 
 @dataclass(frozen=True, slots=True)

@@ -71,6 +71,7 @@ class WorldState:
     def __init__(self, fleet: Fleet, trips: Trips) -> None:
         self._trips = trips
         self._entities: dict[str, EntityState] = {}
+        self.moves = 0  # how often something was brought elsewhere
         self.robots: dict[str, RobotState] = {}
         for kind in fleet.types:
             for robot in kind.members:
@@ -110,5 +111,6 @@ class WorldState:
         if action.moves or destination is not None:
             robot.spot = destination
         for name in action.brings:
+            self.moves += 1
             brought = self.entity(name)
             brought.spot, brought.since = destination, end

@@ -1,0 +1,81 @@
+"""What one run has decided so far: which roles have begun and by whom, which actions stand where, when events are."""
+
+from __future__ import annotations
+
+from missiontree.mission.grounded import Action
+from missiontree.mission.reason import Reason
+from missiontree.scheduling.precedence import indegrees
+from missiontree.scheduling.problem import Done, Draft, Problem, Rule
+from missiontree.scheduling.world_state import RobotState, WorldState
+
+
+class Board:
+    """
+    The state that the parts of a run share.
+
+    Parameters
+    ----------
+    problem
+        The alternative.
+    rule
+        How to decide.
+    """
+
+    def __init__(self, problem: Problem, rule: Rule) -> None:
+        self.problem, self.rule, self.graph, self.staffing = problem, rule, problem.graph, problem.staffing
+        self.world = WorldState(problem.fleet, problem.trips)
+        self.totals = {kind.id: dict(kind.total_limits) for kind in problem.fleet.types}
+        self.time = [0] * len(self.graph.successors)
+        self.missing = indegrees(self.graph.successors)
+        self.begun = dict.fromkeys(self.graph.roles, 0)  # actions of each role that are placed
+        self.robot_of_group: dict[int, RobotState] = {}
+        self.crew_of = problem.bundles.of_role if rule.crew == "bundle" else problem.crews
+        self.crews: dict[int, list[int]] = {}
+        for role, crew in sorted(self.crew_of.items()):
+            self.crews.setdefault(crew, []).append(role)
+        self.placed: dict[int, list[tuple[int, RobotState]]] = {}  # by activity: its leaves and who does them
+        self.done: dict[int, Done] = {}
+        self.metres = 0.0
+
+    def actions(self, activity: int) -> list[tuple[int, Action]]:
+        """Leaves of an activity, with their actions."""
+        return [(leaf, self.graph.tree.action(leaf)) for leaf in self.graph.activities[activity]]
+
+    def role(self, activity: int) -> int:
+        """Role of an activity's first leaf."""
+        return self.graph.tree.action(self.graph.activities[activity][0]).role
+
+    def opening(self, activity: int) -> list[int]:
+        """Roles that begin with this activity."""
+        roles = (self.graph.tree.action(leaf).role for leaf in self.graph.activities[activity])
+        return [role for role in roles if not self.begun[role]]
+
+    def first(self, role: int) -> int:
+        """Activity that a role begins with."""
+        return self.graph.activity_of[self.graph.roles[role][0]]
+
+    def robot(self, role: int) -> RobotState | None:
+        """The robot of a role's group, once it has one."""
+        return self.robot_of_group.get(self.staffing.group_of[role])
+
+    def bound(self, role: int) -> RobotState | None:
+        """The robot that a role must take, if that is settled."""
+        group = self.staffing.group_of[role]
+        if group in self.robot_of_group:
+            return self.robot_of_group[group]
+        return self.world.robots[self.rule.binding[group]] if group in self.rule.binding else None
+
+    def secured(self, role: int) -> bool:
+        """Whether a role has begun, or its robot is kept for it."""
+        robot = self.robot(role)
+        return self.begun[role] > 0 or (robot is not None and robot.promised == self.crew_of[role])
+
+    def draft(self, reasons: tuple[Reason, ...]) -> Draft:
+        """What the run came to."""
+        done = sorted(self.done.values(), key=lambda one: (one.start, one.leaf))
+        robot_of = {
+            role: self.robot_of_group[group].id
+            for role, group in sorted(self.staffing.group_of.items())
+            if group in self.robot_of_group
+        }
+        return Draft(done, robot_of, max((one.end for one in done), default=0), self.metres, reasons)

@@ -1,0 +1,83 @@
+"""Which robots take the roles that begin: the earliest to begin, then the least idle, then the nearest."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from missiontree.scheduling.board import Board
+from missiontree.scheduling.demand import Demands, lasts
+from missiontree.scheduling.impossible import TOLERANCE
+from missiontree.scheduling.matching import match
+from missiontree.scheduling.pool import Pool
+from missiontree.scheduling.world_state import RobotState
+
+_Ranked = tuple[int, int, float, int, RobotState]
+
+
+class Casting:
+    """
+    Binds robots to roles.
+
+    Parameters
+    ----------
+    board, pool, demands
+        The run, its robots, and what roles ask of them.
+    """
+
+    def __init__(self, board: Board, pool: Pool, demands: Demands) -> None:
+        self._board, self._pool, self._demands = board, pool, demands
+        self.looked = 0  # robots looked at: what a run costs, whatever the machine
+
+    def choose(self, opening: Sequence[int], mates: Sequence[int], ready: int) -> dict[int, RobotState] | None:
+        """Different free robots for all groups of these roles, the best first; None if there are not enough."""
+        group_of = self._board.staffing.group_of
+        wanted: dict[int, int] = {}  # group -> its first role here
+        for role in (*opening, *mates):
+            wanted.setdefault(group_of[role], role)
+        if len(wanted) == 1:
+            best = min(self._candidates(opening[0], ready), default=None)
+            return None if best is None else dict.fromkeys((*opening, *mates), best[-1])
+        taken = match(
+            {
+                group: [one[-1] for one in sorted(self._candidates(role, ready if role in opening else 0))]
+                for group, role in wanted.items()
+            }
+        )
+        return None if taken is None else {role: taken[group_of[role]] for role in (*opening, *mates)}
+
+    def bind(self, role: int, robot: RobotState) -> None:
+        """From now on the robot is the one of the role's group."""
+        group = self._board.staffing.group_of[role]
+        self._board.robot_of_group[group] = robot
+        robot.wears |= self._board.staffing.wears[group]
+        self._pool.use(robot)
+
+    def _candidates(self, role: int, ready: int) -> list[_Ranked]:
+        """Free robots that may fill a role, and how well: by begin, idleness, way, and number, which is unique."""
+        board, demands = self._board, self._demands
+        group, bound, crew = board.staffing.group_of[role], board.bound(role), board.crew_of[role]
+        avoids = board.staffing.avoids[group] if group not in board.robot_of_group else frozenset()
+        moves = board.graph.tree.action(board.graph.roles[role][0]).moves
+        type_id = board.staffing.type_of[role]
+        totals, known = board.totals[type_id], demands.of(role)
+        ranked: list[_Ranked] = []
+        for robot in self._pool.robots(type_id, self._together(role)) if bound is None else [bound]:
+            self.looked += 1
+            if robot.role is not None or (robot.promised is not None and robot.promised != crew):
+                continue
+            if avoids and avoids & robot.wears:
+                continue
+            if robot.spot not in known:
+                known[robot.spot] = demands.ask(role, robot.spot)
+            demand = known[robot.spot]
+            if demand is None or (bound is None and demand.needs and not lasts(demand, robot, totals, TOLERANCE)):
+                continue
+            begin = max(ready, robot.free_at) + demand.way if moves else max(ready, robot.free_at + demand.way)
+            ranked.append((begin, -robot.free_at, demand.metres, robot.index, robot))
+        return ranked
+
+    def _together(self, role: int) -> int:
+        """How many robots that are alike could be taken at once with this role."""
+        board = self._board
+        crew = 1 if board.rule.crew == "none" else len(board.crews[board.crew_of[role]])
+        return max(crew, len(board.graph.activities[board.first(role)]))

@@ -1,0 +1,41 @@
+"""What actions and ways use of the budgets of robots and of their types."""
+
+from __future__ import annotations
+
+from missiontree.mission.grounded import Action
+from missiontree.mission.reason import Reason
+from missiontree.scheduling.board import Board
+from missiontree.scheduling.impossible import TOLERANCE
+from missiontree.scheduling.stuck import StuckError
+from missiontree.scheduling.trips import Trip
+from missiontree.scheduling.world_state import RobotState
+
+
+def charge(board: Board, robot: RobotState, action: Action, trip: Trip | None) -> None:
+    """
+    Take off what an action and the way to it use.
+
+    Raises
+    ------
+    StuckError
+        If a budget does not last.
+    """
+    kind = board.problem.fleet.by_id[robot.type_id]
+    use = dict(action.uses)
+    if trip is not None:
+        board.metres += trip.metres
+        for name, amount in kind.uses_per_m.items():
+            use[name] = use.get(name, 0.0) + amount * trip.metres
+    for whose, left in ((robot.id, robot.left), (kind.id, board.totals[kind.id])):
+        for name, amount in use.items():
+            if name in left:
+                left[name] -= amount
+                if left[name] < -TOLERANCE:
+                    raise StuckError(
+                        Reason(
+                            rule="budget_exceeded",
+                            message=f"{whose} runs out of {name} at {action.text!r}, {-left[name]:g} short.",
+                            node=action.text,
+                            robot=whose,
+                        )
+                    )

@@ -1,0 +1,119 @@
+"""What a role asks of a robot: its way to the first action and its use of budgets, as far as can be foreseen."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from missiontree.estimation.travel import Blocked
+from missiontree.mission.grounded import Action
+from missiontree.scheduling.board import Board
+from missiontree.scheduling.trips import Spot, Trip
+from missiontree.scheduling.world_state import RobotState
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """
+    What a role asks of a robot that stands somewhere.
+
+    Parameters
+    ----------
+    way
+        Ticks of the way to its first action, or of the move that it is.
+    metres
+        Metres of it.
+    needs
+        What the role uses of each budget.
+    """
+
+    way: int
+    metres: float
+    needs: Mapping[str, float] = field(default_factory=dict)
+
+
+class Demands:
+    """
+    Demands of roles, remembered per spot until something is moved; roles that are alike share them.
+
+    Parameters
+    ----------
+    board
+        The run.
+    """
+
+    def __init__(self, board: Board) -> None:
+        self._board, self._world = board, board.world
+        fleet = board.problem.fleet
+        self._per_m = {kind.id: dict(kind.uses_per_m) for kind in fleet.types}
+        self._limited = {
+            kind.id: {*kind.limits, *kind.total_limits, *(name for robot in kind.robots for name in robot.remaining)}
+            for kind in fleet.types
+        }
+        self._found: dict[int, dict[Spot, Demand | None]] = {}
+        self._moves = 0
+
+    def of(self, role: int) -> dict[Spot, Demand | None]:
+        """What is remembered of roles like this one; ask :meth:`ask` for what is not there."""
+        if self._moves != self._world.moves:
+            self._found.clear()
+            self._moves = self._world.moves
+        return self._found.setdefault(self._board.problem.alike[role], {})
+
+    def ask(self, role: int, spot: Spot) -> Demand | None:
+        """What a role asks of a robot at a spot; None if there is no way to its first action."""
+        trip = self.trip(spot, self._board.graph.tree.action(self._board.graph.roles[role][0]))
+        if isinstance(trip, Blocked):
+            return None
+        way, metres = (0, 0.0) if trip is None else (trip.ticks, trip.metres)
+        return Demand(way, metres, self._needs(role, spot, metres))
+
+    def trip(self, spot: Spot, action: Action) -> Trip | Blocked | None:
+        """The way to an action; None if it can be done anywhere."""
+        if action.at is None and not action.moves:
+            return None
+        destination = self._world.spot(action)
+        if destination is None and not action.moves:
+            return None
+        return self._board.problem.trips.trip(action, spot, destination)
+
+    def _needs(self, role: int, spot: Spot, approach_m: float) -> dict[str, float]:
+        board, type_id = self._board, self._board.staffing.type_of[role]
+        if not self._limited[type_id]:
+            return {}
+        needs = dict(board.problem.needs[board.staffing.group_of[role]])
+        if self._per_m[type_id]:
+            metres = max(self._metres_of(spot, role), approach_m)
+            uses = self._uses_of(role)
+            for name, amount in self._per_m[type_id].items():
+                needs[name] = max(needs.get(name, 0.0), uses.get(name, 0.0) + amount * metres)
+        return {name: amount for name, amount in needs.items() if name in self._limited[type_id]}
+
+    def _uses_of(self, role: int) -> dict[str, float]:
+        uses: dict[str, float] = {}
+        for leaf in self._board.graph.roles[role]:
+            for name, amount in self._board.graph.tree.action(leaf).uses.items():
+                uses[name] = uses.get(name, 0.0) + amount
+        return uses
+
+    def _metres_of(self, spot: Spot, role: int) -> float:
+        """Metres of a whole role if everything that it does not move itself stays where it is."""
+        metres, here = 0.0, spot
+        moved: dict[str, Spot] = {}
+        for leaf in self._board.graph.roles[role]:
+            action = self._board.graph.tree.action(leaf)
+            there = moved[action.at] if action.at in moved else self._world.spot(action)
+            if action.moves or there is not None:
+                trip = self._board.problem.trips.trip(action, here, there)
+                metres += 0.0 if isinstance(trip, Blocked) else trip.metres
+                here = there
+            moved |= dict.fromkeys(action.brings, there)
+        return metres
+
+
+def lasts(demand: Demand, robot: RobotState, totals: Mapping[str, float], slack: float) -> bool:
+    """Whether the robot's budgets, and its type's, last for a demand; what is not limited always does."""
+    for name, amount in demand.needs.items():
+        if amount > robot.left.get(name, amount) + slack or amount > totals.get(name, amount) + slack:
+            return False
+    return True
