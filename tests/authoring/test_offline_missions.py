@@ -123,7 +123,7 @@ JOINED = {
     "While following the thief, find the police officer": "Follow(Thief); Search(Police Officer) | Follow(Thief) ~ Search(Police Officer)",
     "Follow the thief until you find the police officer": "Follow(Thief); Search(Police Officer) | Follow(Thief) ~ Search(Police Officer)",
     "Go to the lobby, then find and visit the nurse": "Reach(Lobby); Search(Nurse); Reach(Nurse)"
-    " | Reach(Lobby) < Search(Nurse), Reach(Lobby) < Reach(Nurse), Search(Nurse) < Reach(Nurse)",
+    " | Reach(Lobby) < Search(Nurse), Search(Nurse) < Reach(Nurse)",
     "Go to the lobby and bring the parcel there": "Reach(Lobby); ReachAndTransport(Parcel, Lobby)",
     "Find the child and reunite her with Anna": "Search(Child); Reunite the Child with Anna[ReachAndTransport(Child, Anna)]"
     " | Search(Child) < Reunite the Child with Anna",

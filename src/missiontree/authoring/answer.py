@@ -10,6 +10,11 @@ from typing import Any
 from missiontree.mission.reason import Reason
 
 _SHOWN = ("rule", "message", "hint")
+# What helps people is a file to edit; what helps a model is a call to make.
+_HINTS_FOR_MODELS = {
+    "entity_introduced": "Introduce it with its kind by introduceEntity, if that is wrong.",
+    "no_robot_able": "Use another routine, or declareImpossible with what is missing.",
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,4 +71,7 @@ def refuse(rule: str, message: str, **more: str) -> RefusalError:
 
 
 def _shown(reason: Reason) -> dict[str, str]:
-    return {name: getattr(reason, name) for name in _SHOWN if getattr(reason, name)}
+    shown = {name: getattr(reason, name) for name in _SHOWN if getattr(reason, name)}
+    return shown | (
+        {"hint": _HINTS_FOR_MODELS[reason.rule]} if reason.hint and reason.rule in _HINTS_FOR_MODELS else {}
+    )

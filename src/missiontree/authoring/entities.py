@@ -107,7 +107,9 @@ class Cast:
                 message=f"{name} is taken to be of kind {entity.kind}, {because}; its position is unknown.",
                 severity="assumption",
                 node=entity.id,
-                hint="" if kind else "Introduce it with its kind, or declare it in the scene, if that is wrong.",
+                hint=""
+                if kind
+                else "If that is wrong, declare it under entities: in the mission file or in the scene.",
             )
         )
         return entity

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from missiontree.authoring.method_outline import Outline, Piece, found_by, leaf_of
+from missiontree.authoring.method_reduction import without_implied
 from missiontree.authoring.reading import Relation
 from missiontree.authoring.reading_entities import Mention, title
 from missiontree.authoring.reading_outcomes import Goal
@@ -50,6 +51,7 @@ def composed(goals: Sequence[Goal], library: RoutineLibrary) -> Composition:
     _order_as_said(goals, tops, library, made)
     _search_first(library, made)
     _found_before_used(library, made)
+    made.implied = without_implied(made.outline, made.implied)
     return made
 
 
@@ -167,15 +169,16 @@ def _search_once(goals: Sequence[Goal], library: RoutineLibrary, made: Compositi
 
 def _taken_out(pieces: list[Piece], leaf: Piece) -> list[Piece]:
     """Take a leaf out of pieces, and the tasks that are empty then; answers with all that went."""
-    gone = [leaf]
-    for piece in list(pieces):
-        if piece is leaf:
-            pieces.remove(piece)
-        elif piece.routine is None and leaf in piece.leaves:
-            gone += _taken_out(piece.pieces, leaf)[1:]
-            if not piece.pieces:
-                pieces.remove(piece)
-                gone.append(piece)
+    line: list[tuple[list[Piece], Piece]] = []
+    level = pieces
+    while (holder := next((piece for piece in level if leaf in piece.leaves), None)) is not None:
+        line.append((level, holder))
+        level = holder.pieces
+    gone: list[Piece] = []
+    for level, piece in reversed(line):
+        if not piece.pieces:
+            level.remove(piece)
+            gone.append(piece)
     return gone
 
 
@@ -186,12 +189,14 @@ def _search_first(library: RoutineLibrary, made: Composition) -> None:
         (r for r in library.routines if len(r.arguments) == 1 and found_by(r, library) and not _lasts(r, library)), None
     )
     lost = dict.fromkeys(mention.name for leaf in leaves for mention in leaf.mentions if mention.to_be_found)
+    added = 0
     for name in lost:
         if search is None or any(leaf.finds(name, library) for leaf in leaves):
             continue
         mention = next(m for leaf in leaves for m in leaf.mentions if m.name == name and m.to_be_found)
         finder = leaf_of(search, (mention,))
-        made.outline.pieces.insert(0, finder)
+        made.outline.pieces.insert(added, finder)
+        added += 1
         why = "is said to be lost" if mention.lost else "is at an unknown position"
         message = f"{finder.label} was added: {mention.label} {why}."
         made.notices.append(Reason(rule="search_added", message=message, severity="notice", node=mention.name))

@@ -98,11 +98,12 @@ def _line(text: str, result: Goal | Unserved | Trouble) -> str:
 
 def _missing(brief: MissionBrief, unserved: Unserved) -> Reason:
     served = ", ".join(routine.id for routine in brief.routines.routines)
+    asked = f"{unserved.goal} ('{unserved.verb}')" if unserved.verb != unserved.goal else unserved.goal
     return Reason(
         rule="capability_missing",
-        message=f"'{unserved.verb}' needs the capability {unserved.goal}, which no routine has; there are {served}.",
+        message=f"The mission needs the capability {asked}, which no routine has; there are {served}.",
         needed=unserved.goal,
-        hint=f"Write a routine with '{unserved.verb}' among its verbs and give the capability to a robot type.",
+        hint=f"Write a routine with '{unserved.verb}' among its verbs and give the capability to a robot type, or reword the mission.",
     )
 
 
@@ -158,7 +159,7 @@ class _Desk:
             "declareImpossible",
             {"missing": missing[:200], "reason": " ".join(reason.message for reason in reasons)[:2000]},
         )
-        return self.ended("cannot_be_done", (*self.box.builder.state.impossible, *reasons))
+        return self.ended("cannot_be_done", reasons)  # the declaration says the same in other words
 
     def built(self, goals: Sequence[Goal]) -> Authored:
         """Build the tree of all goals."""
@@ -218,7 +219,11 @@ class _Building:
         if not mention.new:
             return None
         said = self.desk.brief.scene is None and is_said(mention.name, self.desk.brief.text)
-        if said and kind_of(mention.name) == mention.kind and self.desk.box.builder.cast.find(mention.name) is None:
+        if (
+            said
+            and (kind_of(mention.name) or "object") == mention.kind
+            and self.desk.box.builder.cast.find(mention.name) is None
+        ):
             return None  # the words of the mission are enough: the call that names it introduces it
         answer = self.desk.call("introduceEntity", {"name": mention.name, "kind": mention.kind})
         if answer.ok:

@@ -128,6 +128,7 @@ class GoalReader:
         if read is None:
             return None
         self._refuse_robots(phrase for phrases in read.values() for phrase in phrases)
+        self._refuse_instruments(phrase for phrases in read.values() for phrase in phrases)
         said = {slot: tuple(m for p in phrases for m in self.speakers.resolve(p)) for slot, phrases in read.items()}
         if candidate.method is not None and not self._holds(candidate.method, said, read):
             return None
@@ -173,6 +174,16 @@ class GoalReader:
                 way = f"say who does it as in 'with the {named[0][0]}' or 'use the {named[0][0]} to ...'"
                 raise UnclearError(f"{named[0][0]!r} is a robot of the fleet; {way}")
 
+    def _refuse_instruments(self, phrases: Iterable[Phrase]) -> None:
+        """What it shall be done with is no description either, if it is no robot of the fleet."""
+        for phrase in phrases:
+            lows = phrase.description.lower().split()
+            if lows[:1] == ["with"] and lows[-1] in self.lexicon.words["instruments"]:
+                types = ", ".join(kind.label for kind in self.brief.fleet.types)
+                raise UnclearError(
+                    f"{phrase.description!r} may say who does it, and names no robot of the fleet ({types})"
+                )
+
     def _refuse_other_places(self, outline: Outline, said: Said) -> None:
         """A place that only says where somebody is must be where the scene has them."""
         world = self.brief.world
@@ -191,7 +202,8 @@ class GoalReader:
         for slot, conditions in method.where.items():
             if slot not in said:
                 continue
-            hazard = any(self.lexicon.hazard_words.within(phrase.name.lower().split()) for phrase in read[slot])
+            heads = (phrase.name.lower().split(" of ")[0] for phrase in read[slot])
+            hazard = any(self.lexicon.hazard_words.within(head.split()) for head in heads)
             holds = {"hazard"} if hazard else {mention.kind for mention in said[slot]}
             if any(mention.to_be_found for mention in said[slot]):
                 holds.add("lost")

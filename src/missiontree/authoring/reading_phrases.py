@@ -256,7 +256,10 @@ class PhraseReader:
 
 def kind_of_phrase(phrase: Phrase) -> str | None:
     """Base kind of what a phrase names, going by its noun; a name of its own is taken to be a person's."""
-    numbered = phrase.name.rsplit(" ", 1)[0] if phrase.name[-1].isdigit() else phrase.name
+    head, _, last = phrase.name.rpartition(" ")
+    numbered = (
+        head if head and (last[-1].isdigit() or (last[:1].isupper() and kind_of(phrase.name) is None)) else phrase.name
+    )
     proper = not phrase.determined and phrase.name[:1].isupper()
     return kind_of(numbered) or ("person" if proper else None)
 

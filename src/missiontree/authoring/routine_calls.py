@@ -168,5 +168,5 @@ def _check_kinds(routine: Routine, entities: Mapping[str, Entity], scene: Scene)
 
 def _nobody(call: RoutineCall) -> RefusalError:
     message = f"No robot of this fleet can do {call.label}."
-    hint = "Use another routine, or declareImpossible with what is missing."
+    hint = "Give a robot type what is missing, or reword the mission."
     return RefusalError(Reason(rule="no_robot_able", message=message, node=call.label, hint=hint), *call.offers.refused)
