@@ -92,3 +92,31 @@ def test_why_a_mission_cannot_be_done_is_said_once() -> None:
     text = " ".join(plan_text(made).split())
     assert text.count("is blocked") == 1
     assert "Not offered" not in text
+
+
+def test_a_long_team_is_told_by_what_sets_it_apart_from_the_best() -> None:
+    """Seven searches, more than six; walkers are better than crawlers, so that the second best swaps one of them."""
+    types = [
+        RobotType(id="walker", count=7, capabilities={"search": 1.0}),
+        RobotType(id="crawler", count=1, capabilities={"search": 0.9}),
+    ]
+    names = ["Ada", "Ben", "Cleo", "Dora", "Emil", "Fritz", "Gina"]
+    made = plan(", ".join(f"find {name}" for name in names), fleet=Fleet(tuple(types)), k=2)
+    text = plan_text(made)
+    first, second = text.partition("as 1, but")[::2]
+    second = second.partition("Schedule of")[0]
+    assert all(f"Search({name}): walker" in first for name in names)
+    assert second.count("Search(") == 1
+    assert second.count(": crawler") == 1
+
+
+def test_a_short_team_is_told_whole() -> None:
+    assert "as 1" not in plan_text(plan(sample_file("site")))
+
+
+@pytest.mark.parametrize(("searches", "title"), [(1, ": 67.0 s, optimal"), (9, ": 0:10:03 (603.0 s), optimal")])
+def test_from_ten_minutes_on_the_title_counts_in_seconds_as_well(searches: int, title: str) -> None:
+    """One robot, a search of 67 s after the other: 9 * 67 s = 603 s, and the lists count in seconds."""
+    fleet = Fleet((RobotType(id="walker", count=1, capabilities={"search": 1.0}),))
+    names = ["Ada", "Ben", "Cleo", "Dora", "Emil", "Fritz", "Gina", "Hugo", "Ida"][:searches]
+    assert title in plan_text(plan(", then ".join(f"find {name}" for name in names), fleet=fleet))

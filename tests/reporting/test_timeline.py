@@ -31,3 +31,10 @@ def test_every_stretch_of_travel_tells_its_way() -> None:
     texts = [row.text for row in timeline_rows(made.schedules[0], made)]
     assert "travel 7.0 m via depot, bend, shop" in texts  # before the search
     assert any(text.endswith("(7.0 m via shop, bend, depot)") for text in texts)  # the carrying itself
+
+
+def test_a_robot_that_is_there_already_is_said_to_be() -> None:
+    depot = Entity(id="depot", kind="place", position=Position(0, 0))
+    walker = RobotType(id="walker", count=1, capabilities={"reach": 1.0}, limits={"max_speed_mps": 1.0}, place="depot")
+    made = plan("Go to the depot", fleet=Fleet((walker,)), scene=Scene(places=(depot,)))
+    assert [row.text for row in timeline_rows(made.schedules[0], made)][-1].endswith("location (already there)")

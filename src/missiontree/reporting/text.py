@@ -35,6 +35,8 @@ MARKS: dict[Severity, tuple[str, str]] = {
     "assumption": ("?", "magenta"),
 }
 MAX_LINES = 12
+MAX_TEAM = 24
+LONG_TEAM = 6
 
 
 def words(text: str, style: str = "") -> Text:
@@ -79,7 +81,7 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
         yield from _titled("Without a schedule", list(_unscheduled(plan)))
         best = best_scheduled(plan)
         if best is not None:
-            title = f"Schedule of alternative {best.rank}: {seconds(best.makespan_s)}, {_known(best)}"
+            title = f"Schedule of alternative {best.rank}: {_length(best.makespan_s)}, {_known(best)}"
             yield from _titled(title, [timeline(best, plan)])
     not_offered = plan.grounding.not_offered if plan.grounding else ()
     told = frozenset(plan.reasons)
@@ -159,6 +161,11 @@ def seconds(time_s: float) -> str:
     return f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"
 
 
+def _length(time_s: float) -> str:
+    """A time as :func:`seconds` writes it, and in seconds as well, since lists of actions count in seconds."""
+    return seconds(time_s) if time_s < 600 else f"{seconds(time_s)} ({time_s:.1f} s)"
+
+
 def best_scheduled(plan: Plan) -> Schedule | None:
     """The first schedule in rank order that has actions."""
     return next((schedule for schedule in plan.schedules if schedule.status in {"optimal", "feasible"}), None)
@@ -204,12 +211,13 @@ def alternatives_table(plan: Plan) -> Table:
     ):
         table.add_column(name, justify="right" if justify == "right" else "left", no_wrap=name != "team")
     schedules = {schedule.rank: schedule for schedule in plan.schedules}
+    best = plan.ranking.alternatives[0] if plan.ranking.alternatives else None
     for alternative in plan.ranking.alternatives:
         schedule = schedules.get(alternative.rank)
         table.add_row(
             str(alternative.rank),
             f"{alternative.utility:g}",
-            Text("\n").join(words(line) for line in team_lines(plan.grounding.tree, alternative, plan)),
+            Text("\n").join(words(line) for line in team_lines(plan.grounding.tree, alternative, plan, best)),
             seconds(schedule.makespan_s) if schedule and schedule.actions else "-",
             _verdict(alternative, schedule),
         )
@@ -228,13 +236,27 @@ def _verdict(alternative: Alternative, schedule: Schedule | None) -> str:
     }[schedule.status]
 
 
-def team_lines(tree: GroundedTree, alternative: Alternative, plan: Plan) -> list[str]:
-    """Who does what, a line per reached role."""
+def team_lines(tree: GroundedTree, alternative: Alternative, plan: Plan, best: Alternative | None = None) -> list[str]:
+    """Who does what, a line per reached role; of a long list, what sets it apart from the best alternative."""
+    filled = {entry.role: entry.robot_type for entry in alternative.roles}
     types = plan.brief.fleet.by_id
-    return [
-        f"{tree.roles[filled.role].label}: {types[filled.robot_type].label if filled.robot_type in types else filled.robot_type}"
-        for filled in alternative.roles[:MAX_LINES]
-    ] + ([f"… and {len(alternative.roles) - MAX_LINES} more roles"] if len(alternative.roles) > MAX_LINES else [])
+    line = {
+        role: f"{tree.roles[role].label}: {types[who].label if who in types else who}" for role, who in filled.items()
+    }
+    if best is None or best is alternative or len(line) <= LONG_TEAM:
+        lines = list(line.values())
+    else:
+        usual = {entry.role: entry.robot_type for entry in best.roles}
+        other = [text for role, text in line.items() if usual.get(role) != filled[role]]
+        without = [f"without {tree.roles[role].label}" for role in usual if role not in filled]
+        lines = [
+            f"as {best.rank}, but" if other or without else f"as {best.rank}, done in another way",
+            *other,
+            *without,
+        ]
+    if len(lines) > MAX_TEAM + 1:
+        lines = [*lines[:MAX_TEAM], f"… and {len(lines) - MAX_TEAM} more roles"]
+    return lines
 
 
 def findings_view(findings: Iterable[Reason]) -> Group:

@@ -44,7 +44,8 @@ def timeline_rows(schedule: Schedule, plan: Plan) -> Iterator[Row]:
     for action in schedule.actions:
         text = tree.action(action.leaf).text
         if action.leaf in moves and (action.robot, action.leaf) in ways:
-            text += f" ({_way(ways[action.robot, action.leaf])})"
+            leg = ways[action.robot, action.leaf]
+            text += f" ({_way(leg)})" if leg.distance_m or leg.end_s > leg.start_s else " (already there)"
         yield Row(action.robot, action.start_s, action.end_s, text, action.leaf in moves)
     for leg in schedule.legs:
         if leg.leaf not in moves and leg.distance_m > 0:
