@@ -63,7 +63,8 @@ PARAPHRASED = {
     "Assist the visitor with her suitcases": "Reach the Visitor[Reach(Visitor)];"
     " Carry the Suitcases for the Visitor[ReachAndTransport(Suitcases, Destination of Visitor)]"
     " | Reach the Visitor < Carry the Suitcases for the Visitor",
-    "Help grandma carry her bags to the kitchen": "Reach Grandma[Reach(Grandma)]; Carry the Bags for Grandma[ReachAndTransport(Bags, Kitchen)]"
+    "Help grandma carry her bags to the kitchen": "Reach Grandma[Reach(Grandma)];"
+    " Carry the Bags for Grandma[ReachAndTransport(Bags, Kitchen)]"
     " | Reach Grandma < Carry the Bags for Grandma",
     "Protect the village from the wolf": "Keep the Wolf in Sight[SearchAndFollow(Wolf)];"
     " Bring People of Village to Safety[ReachAndTransport(People of Village, Safe Area)]"

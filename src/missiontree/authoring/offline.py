@@ -35,6 +35,7 @@ from missiontree.llm.chat import Message, ToolCall
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.reason import Reason
 
+_NO_LACK = frozenset({"resource_excluded", "kind_refused"})  # who is not asked, and whom it is not done to
 WAY_OUT = "Say what is to be done, such as 'Find the keys, then bring them to Anna', set a model, or add a method."
 
 
@@ -177,9 +178,12 @@ class _Desk:
         """A call was refused: if nobody can do it, the mission cannot be done; else the tree stays unfinished."""
         if refusal.reasons[0].rule != "no_robot_able":
             return self.ended("incomplete", refusal.reasons)
-        needed = [reason.needed for reason in refusal.reasons[1:] if reason.needed]
+        why = [reason for reason in refusal.reasons[1:] if reason.needed and reason.rule not in _NO_LACK]
+        lacks = [reason for reason in why if reason.rule == "capability_missing"] or why
+        needed = [reason.needed for reason in lacks]
         missing = ", ".join(dict.fromkeys(needed)) or f"a robot that can do {refusal.reasons[0].node}"
-        return self._impossible(refusal.reasons, missing)
+        first = replace(refusal.reasons[0], needed=missing[:200])
+        return self._impossible((first, *refusal.reasons[1:]), missing)
 
 
 @dataclass

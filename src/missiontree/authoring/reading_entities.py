@@ -119,6 +119,9 @@ class Speakers:
             raise UnclearError(f"{phrase.text!r} may be any of {options}; say which one")
         if found:
             return tuple(self._of_scene(entity, phrase) for entity in found)
+        if like := [entity for entity in self.scene.all_entities if self._is_like(entity, phrase)]:
+            options = ", ".join(sorted(entity.label for entity in like))
+            raise UnclearError(f"the scene has {options}, and none of them is called {phrase.name!r}")
         return (self._introduced(phrase),)
 
     def implied(self, name: str, kind: str, known_as: tuple[str, ...] = ()) -> Mention:
@@ -151,6 +154,12 @@ class Speakers:
         )
         found = next((group for group in groups if group), [])
         return self._narrowed(found, phrase)
+
+    def _is_like(self, entity: Entity, phrase: Phrase) -> bool:
+        """Whether an entity goes by the same noun, but for what is said before or behind it."""
+        words = plain(phrase.name).split()
+        noun = words[-2] if len(words) > 1 and words[-1].isdigit() else words[-1]
+        return len(words) > 1 and self._is_called(entity, noun)
 
     def _is_called(self, entity: Entity, name: str) -> bool:
         *before, last = name.split()

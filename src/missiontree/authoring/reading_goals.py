@@ -129,6 +129,8 @@ class GoalReader:
             return None
         self._refuse_robots(phrase for phrases in read.values() for phrase in phrases)
         self._refuse_instruments(phrase for phrases in read.values() for phrase in phrases)
+        for phrases in read.values():
+            self._refuse_two_places(phrases)
         said = {slot: tuple(m for p in phrases for m in self.speakers.resolve(p)) for slot, phrases in read.items()}
         if candidate.method is not None and not self._holds(candidate.method, said, read):
             return None
@@ -183,6 +185,13 @@ class GoalReader:
                 raise UnclearError(
                     f"{phrase.description!r} may say who does it, and names no robot of the fleet ({types})"
                 )
+
+    def _refuse_two_places(self, phrases: tuple[Phrase, ...]) -> None:
+        """In "the child in the park and the forest" the forest is no second child."""
+        kinds = [self.phrases.kind_of(phrase) for phrase in phrases]
+        for place, phrase in enumerate(phrases[:-1]):
+            if phrase.description and kinds[place] != "place" and "place" in kinds[place + 1 :]:
+                raise UnclearError(f"it is not clear what goes with {phrase.description!r}")
 
     def _refuse_other_places(self, outline: Outline, said: Said) -> None:
         """A place that only says where somebody is must be where the scene has them."""

@@ -14,7 +14,25 @@ MAX_NAME_WORDS = 5
 MAX_PHRASE_WORDS = 24
 # A description that holds one of these says what is to be done, or with what, and not who is meant.
 _NOT_DESCRIBING = frozenset(
-    {"using", "help", "means", "to", "into", "onto", "for", "by", "toward", "towards", "then", "as", "back"}
+    {
+        "using",
+        "help",
+        "order",
+        "sequence",
+        "turn",
+        "turns",
+        "means",
+        "to",
+        "into",
+        "onto",
+        "for",
+        "by",
+        "toward",
+        "towards",
+        "then",
+        "as",
+        "back",
+    }
 ) | {
     "during",
     "within",
@@ -202,6 +220,7 @@ class PhraseReader:
                 if (
                     not known[end]
                     and not small & set(lows[max(0, end + 1 - width) : end + 1])
+                    and all(low[0].isalnum() for low in lows[max(0, end + 1 - width) : end + 1])
                     and width <= end + 1
                     and kind_of(" ".join(lows[end + 1 - width : end + 1])) is not None
                 ):
