@@ -68,7 +68,7 @@ def test_a_bad_file_is_named_with_what_is_wrong(
         (["plan", "Find the cat", "--fleet", "."], 2, "."),
         (["plan", "Find the cat", "--sample", "reunite"], 2, "one of them"),
         (["plan", "--sample", "reunion"], 2, "reunite, rescue"),
-        (["plan", "Find the cat", "--weights", "1,x"], 2, "up to three numbers"),
+        (["plan", "Find the cat", "--weights", "1,x"], 2, "'x' is not a number"),
         (["plan", "Find the cat", "--weights", "1,-1"], 2, "at least 0"),
         (["plan", "Find the cat", "--weights", "nan"], 2, "finite"),
         (["plan", "Find the cat", "-k", "0"], 2, "at least 1"),

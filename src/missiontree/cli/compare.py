@@ -51,6 +51,7 @@ def command(
     from rich.text import Text
 
     from missiontree.allocation import ALLOCATORS
+    from missiontree.formats.document import to_plain
     from missiontree.planner import author
     from missiontree.reporting.text import reason_line, said_once
     from missiontree.routines.ground import ground
@@ -71,9 +72,14 @@ def command(
     )
     authored = author(request)
     if authored.status != "complete" or authored.tree is None:
-        for reason in said_once(authored.reasons):
-            show(reason_line(reason), colour)
-        return OUTCOMES[authored.status if authored.status != "complete" else "incomplete"]
+        outcome = authored.status if authored.status != "complete" else "incomplete"
+        if as_json:
+            reasons = [to_plain(reason) for reason in authored.reasons]
+            typer.echo(json.dumps({"outcome": outcome, "reasons": reasons}, indent=2))
+        else:
+            for reason in said_once(authored.reasons):
+                show(reason_line(reason), colour)
+        return OUTCOMES[outcome]
     tree, brief = ground(authored.tree, request.brief).tree, request.brief
     runs = []
     for name, allocate in ALLOCATORS.items():

@@ -107,7 +107,7 @@ def _weights(text: str | None) -> Weights | None:
     from missiontree.mission.estimate import Weights
 
     try:
-        numbers = [float(part) for part in text.split(",")]
+        numbers = [_number(part) for part in text.split(",")]
         if not 1 <= len(numbers) <= 3:
             raise ValueError(f"{len(numbers)} numbers are given.")
         return Weights(*numbers)
@@ -116,3 +116,10 @@ def _weights(text: str | None) -> Weights | None:
             f"--weights {text!r}: {error}",
             accepted="up to three numbers of at least 0, as in 1,0.01,0 (alpha,beta,gamma)",
         ) from error
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise ValueError(f"{text!r} is not a number.") from None
