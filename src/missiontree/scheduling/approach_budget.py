@@ -1,73 +1,127 @@
-"""Proof that no robot of a type can pay for getting to a role and doing it."""
+"""
+Proof that no robot of a type can pay for getting to a role and doing it.
+
+Whatever a robot does before, it gets from its start to the role's first place in legs, and on every map without lifts a way in
+several legs is no shorter than the way in one: roads and grids lead to one node or cell per point, and what closes an area closes it
+to every leg. Two cases are left out. With lifts, the quickest way need not be the shortest. And a robot that some move may take to an
+unknown place comes back from there at no known cost.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
 
-from missiontree.estimation.travel import Blocked, start_of
-from missiontree.mission.fleet import Robot, RobotType
+from missiontree.estimation.travel import Blocked
+from missiontree.mission.fleet import RobotType
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.impossible import TOLERANCE, least_use
-from missiontree.scheduling.places import Places
+from missiontree.scheduling.places import Places, Spots
 from missiontree.scheduling.precedence import TaskGraph
-from missiontree.scheduling.trips import Trips
+from missiontree.scheduling.trips import Spot, Trips
+
+
+@dataclass(frozen=True, slots=True)
+class _Lack:
+    """A budget that does not last: what a robot has and what it would need."""
+
+    name: str
+    there: float
+    needed: float
 
 
 def approaches_too_dear(graph: TaskGraph, places: Places, trips: Trips) -> list[Reason]:
-    """
-    Roles whose first place is so far from every robot of the type that what it has does not last for the way and the role.
-
-    Whatever a robot does before, it gets from its start to that place over no fewer metres than the shortest way. Where there
-    are lifts, the quickest way need not be the shortest, and nothing is claimed.
-    """
+    """Roles whose first place is so far from every robot of the type that what it has does not last for the way and the role."""
     if trips.scene.roads is not None and trips.scene.roads.lifts:
         return []
-    return [reason for leaves in graph.roles.values() for reason in _too_dear(leaves, graph, places, trips)]
+    lost = _may_get_lost(graph, places)
+    stands: dict[str, Stands] = {}
+    asked: dict[object, _Lack | None] = {}  # roles that are alike are asked once
+    reasons: list[Reason] = []
+    for leaves in graph.roles.values():
+        first = next((leaf for leaf in leaves if graph.tree.action(leaf).at is not None), None)
+        kind = trips.fleet.by_id[graph.tree.action(leaves[0]).robot_type]
+        if first is None or kind.id in lost or not kind.uses_per_m:
+            continue
+        if kind.id not in stands:
+            stands[kind.id] = _stands(kind, trips)
+        need = _need(graph, leaves)
+        key = kind.id, places.of[first], tuple(sorted(need.items()))
+        if key not in asked:
+            asked[key] = _lack(kind, stands[kind.id], need, places.of[first], trips)
+        lack = asked[key]
+        if lack is not None:
+            reasons.append(_reason(kind, graph, first, lack))
+    return reasons
 
 
-def _too_dear(leaves: tuple[int, ...], graph: TaskGraph, places: Places, trips: Trips) -> Iterator[Reason]:
-    first = next((leaf for leaf in leaves if graph.tree.action(leaf).at is not None), None)
-    if first is None:
-        return
-    action = graph.tree.action(first)
-    kind = trips.fleet.by_id[action.robot_type]
-    need: dict[str, float] = dict.fromkeys(kind.uses_per_m, 0.0)
+Stands = Collection[tuple[Spot, Mapping[str, float]]]
+
+
+def _may_get_lost(graph: TaskGraph, places: Places) -> set[str]:
+    """Types with a move whose goal may be unknown."""
+    actions = ((leaf, graph.tree.action(leaf)) for leaves in graph.roles.values() for leaf in leaves)
+    return {action.robot_type for leaf, action in actions if action.moves and None in places.of[leaf]}
+
+
+def _stands(kind: RobotType, trips: Trips) -> Stands:
+    """Where the robots of a type start and what they have of what ways use; robots that are alike once."""
+    found: dict[object, tuple[Spot, Mapping[str, float]]] = {}
+    for robot, start in zip(kind.members, trips.starts(kind.id), strict=True):
+        key = start, robot.remaining
+        if key not in found:
+            found[key] = start, {**kind.limits, **robot.remaining}
+    return found.values()
+
+
+def _need(graph: TaskGraph, leaves: tuple[int, ...]) -> dict[str, float]:
+    """What a role uses whatever happens, an approach not counted."""
+    need: dict[str, float] = {}
     for leaf in leaves:
         for name, amount in least_use(graph.tree.action(leaf)).items():
             need[name] = need.get(name, 0.0) + amount
-    short = [_short(kind, robot, need, _metres(kind, robot, first, places, trips)) for robot in kind.members]
-    lacking = [one for one in short if one is not None]
-    if len(lacking) == len(short):
-        name, there, needed = min(lacking, key=lambda one: one[2] - one[1])
-        yield Reason(
-            rule="budget_exceeded",
-            message=f"No robot of type {kind.label!r} can get to {action.at} and do its part there: that takes at least "
-            f"{needed:g} of {name}, and the nearest to it has {there:g}.",
-            node=action.text,
-            robot=kind.id,
-            found=f"{name} {there:g}",
-            needed=f"{name} {needed:g}",
-        )
+    return need
 
 
-def _metres(kind: RobotType, robot: Robot, leaf: int, places: Places, trips: Trips) -> float:
-    """The fewest metres from the robot's start to where the action may be; 0 where that is unknown."""
-    start = start_of(robot, trips.scene)
-    metres = []
-    for spot in places.of[leaf]:
-        if start is None or spot is None:
-            return 0.0
-        trip = trips.approach(kind.id, start, spot)
-        if not isinstance(trip, Blocked):
-            metres.append(trip.metres)
-    return min(metres, default=0.0)
+def _lack(kind: RobotType, stands: Stands, need: Mapping[str, float], goals: Spots, trips: Trips) -> _Lack | None:
+    """What the robot that comes nearest to having enough lacks; None if some robot has enough."""
+    nearest: _Lack | None = None
+    for start, budgets in stands:
+        metres = _metres(kind, start, goals, trips)
+        lack = next(_lacking(kind, budgets, need, metres), None)
+        if lack is None:
+            return None
+        if nearest is None or lack.needed - lack.there < nearest.needed - nearest.there:
+            nearest = lack
+    return nearest
 
 
-def _short(kind: RobotType, robot: Robot, need: dict[str, float], metres: float) -> tuple[str, float, float] | None:
-    """A budget that does not last, with what there is and what is needed; None if all last."""
-    for name, amount in need.items():
-        there = kind.budget(robot, name)
-        needed = amount + metres * kind.uses_per_m.get(name, 0.0)
-        if there is not None and needed > there + TOLERANCE:
-            return name, there, needed
-    return None
+def _lacking(
+    kind: RobotType, budgets: Mapping[str, float], need: Mapping[str, float], metres: float
+) -> Iterator[_Lack]:
+    for name in dict.fromkeys((*kind.uses_per_m, *need)):
+        there = budgets.get(name)
+        needed = need.get(name, 0.0) + metres * kind.uses_per_m.get(name, 0.0)
+        if there is not None and needed > there + TOLERANCE * max(1.0, there):
+            yield _Lack(name, there, needed)
+
+
+def _metres(kind: RobotType, start: Spot, goals: Spots, trips: Trips) -> float:
+    """The fewest metres from a start to where the action may be; 0 where that is unknown."""
+    if start is None or None in goals:
+        return 0.0
+    ways = (trips.approach(kind.id, start, goal) for goal in goals if goal is not None)
+    return min((way.metres for way in ways if not isinstance(way, Blocked)), default=0.0)
+
+
+def _reason(kind: RobotType, graph: TaskGraph, first: int, lack: _Lack) -> Reason:
+    action = graph.tree.action(first)
+    return Reason(
+        rule="budget_exceeded",
+        message=f"No robot of type {kind.label!r} can get to {action.at} and do its part there: that takes at least "
+        f"{lack.needed:g} of {lack.name}, and the nearest to it has {lack.there:g}.",
+        node=action.text,
+        robot=kind.id,
+        found=f"{lack.name} {lack.there:g}",
+        needed=f"{lack.name} {lack.needed:g}",
+    )

@@ -13,7 +13,7 @@ import itertools
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from missiontree.estimation.travel import Blocked, start_of
+from missiontree.estimation.travel import Blocked
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
 from missiontree.mission.position import Position
@@ -103,11 +103,7 @@ class _Travel:
                     here = None  # at an unknown place the robot stays, wherever it was
                 if action.at is not None or action.moves:
                     spots |= there
-        self._starts = {
-            kind.id: {start_of(robot, trips.scene) for robot in kind.members}
-            for kind in fleet.types
-            if kind.id in visited
-        }
+        self._starts = {kind: set(trips.starts(kind)) for kind in visited}
         self._visited = visited
         self._arrivals = {kind: self._least_arrivals(kind) for kind in visited}
 

@@ -67,9 +67,9 @@ class Casting:
                 continue
             if avoids and avoids & robot.wears:
                 continue
-            if robot.spot not in known:
-                known[robot.spot] = demands.ask(role, robot.spot)
-            demand = known[robot.spot]
+            if robot.stand not in known:
+                known[robot.stand] = demands.ask(role, robot.spot)
+            demand = known[robot.stand]
             if demand is None or (bound is None and demand.needs and not lasts(demand, robot, totals, TOLERANCE)):
                 continue
             begin = max(ready, robot.free_at) + demand.way if moves else max(ready, robot.free_at + demand.way)

@@ -50,11 +50,11 @@ class Demands:
             kind.id: {*kind.limits, *kind.total_limits, *(name for robot in kind.robots for name in robot.remaining)}
             for kind in fleet.types
         }
-        self._found: dict[int, dict[Spot, Demand | None]] = {}
+        self._found: dict[int, dict[int, Demand | None]] = {}
         self._moves = 0
 
-    def of(self, role: int) -> dict[Spot, Demand | None]:
-        """What is remembered of roles like this one; ask :meth:`ask` for what is not there."""
+    def of(self, role: int) -> dict[int, Demand | None]:
+        """What is remembered of roles like this one, by number of the spot; ask :meth:`ask` for what is not there."""
         if self._moves != self._world.moves:
             self._found.clear()
             self._moves = self._world.moves

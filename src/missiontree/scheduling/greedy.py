@@ -8,18 +8,14 @@ kept. If its makespan equals a lower bound it is optimal.
 
 from __future__ import annotations
 
-import random
-from collections.abc import Iterator
-from itertools import islice, product
-
-from missiontree.mission.alternative import Alternative, Assignment
+from missiontree.mission.alternative import Alternative
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.control import Control, Progress
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
-from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.schedule import Schedule
 from missiontree.scheduling.alike import alike_roles
 from missiontree.scheduling.approach_budget import approaches_too_dear
 from missiontree.scheduling.bounds import lower_bounds
@@ -28,16 +24,18 @@ from missiontree.scheduling.holding import order_held_roles
 from missiontree.scheduling.impossible import budgets_exceeded, cycle_reason, group_needs, unreachable_places
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import task_graph
-from missiontree.scheduling.problem import Crew, Done, Draft, Problem, Rule
+from missiontree.scheduling.problem import Draft, Problem
+from missiontree.scheduling.rules import rules
 from missiontree.scheduling.serial import Run
 from missiontree.scheduling.staffing import staffing_conflicts, staffing_of
 from missiontree.scheduling.ticks import seconds
 from missiontree.scheduling.trips import Trips
+from missiontree.scheduling.writing import found_schedule, unknown_schedule
 
 LEAVES_PER_CALL = 20_000  # work that retries may cost, in scheduled leaves
-MAX_RUNS = 40
-MAX_BINDINGS = 512
-_CREWS: tuple[Crew, ...] = ("joint", "bundle", "none")
+MIN_RUNS, MAX_RUNS = 3, 40
+_TIME_IS_UP = Reason(rule="time_limit", message="Time was up before a schedule was complete.")
+ROBOTS_PER_CALL = 1_500_000  # the same, in robots looked at for a role
 
 
 def greedy(tree: GroundedTree, alternative: Alternative, fleet: Fleet, scene: Scene, control: Control) -> Schedule:
@@ -53,8 +51,8 @@ def greedy(tree: GroundedTree, alternative: Alternative, fleet: Fleet, scene: Sc
         )
     best, failures = _best(problem, alternative, control)
     if best is None:
-        return _unknown(problem, alternative, failures)
-    return _schedule(problem, alternative, best)
+        return unknown_schedule(problem, alternative, failures)
+    return found_schedule(problem, alternative, best)
 
 
 def _read(
@@ -87,14 +85,16 @@ def _best(problem: Problem, alternative: Alternative, control: Control) -> tuple
     """The best draft of all runs, and why runs got stuck."""
     best: Draft | None = None
     failures: dict[Reason, None] = {}
-    runs = max(3, min(MAX_RUNS, LEAVES_PER_CALL // max(1, len(problem.graph.activity_of))))
-    for number, rule in enumerate(_rules(problem, alternative, runs, control.seed)):
-        if number and (control.ended() or (best is not None and (number >= runs or _unbeatable(best, problem)))):
+    runs = max(MIN_RUNS, min(MAX_RUNS, LEAVES_PER_CALL // max(1, len(problem.graph.activity_of))))
+    looked = 0
+    for number, rule in enumerate(rules(problem, alternative, runs, control.seed)):
+        if best is not None and (_unbeatable(best, problem) or _enough(number, runs, looked)):
             break
-        draft = Run(problem, rule)(control.ended)
+        run = Run(problem, rule)
+        draft = None if number and control.ended() else run(control.ended)
         if draft is None:
-            failures[Reason(rule="time_limit", message="Time was up before a schedule was complete.")] = None
-            break
+            return best, [_TIME_IS_UP, *failures]
+        looked += run.looked
         if draft.reasons:
             failures.update(dict.fromkeys(draft.reasons))
         elif best is None or draft.value < best.value:
@@ -103,134 +103,10 @@ def _best(problem: Problem, alternative: Alternative, control: Control) -> tuple
     return best, list(failures)
 
 
+def _enough(number: int, runs: int, looked: int) -> bool:
+    """Whether so many runs, which looked at so many robots, are enough; time plays no part, so the answer is always the same."""
+    return number >= runs or (number >= MIN_RUNS and looked >= ROBOTS_PER_CALL)
+
+
 def _unbeatable(draft: Draft, problem: Problem) -> bool:
     return draft.makespan == problem.bounds.makespan and draft.metres == 0
-
-
-def _rules(problem: Problem, alternative: Alternative, runs: int, seed: int) -> Iterator[Rule]:
-    """Ways of deciding: the plain ones, allocation's witness, then variations; if all fail, fixed bindings."""
-    witness = {
-        problem.staffing.group_of[one.role]: one.robot for one in alternative.witness if one.role in problem.graph.roles
-    }
-    yield Rule("joint")
-    yield Rule("bundle")
-    yield Rule("none")
-    if witness:
-        yield from (Rule(crew, binding=witness) for crew in _CREWS)
-    spread = max(1, problem.bounds.makespan // 4)
-    yield from (Rule(crew, patience) for patience in (spread // 16, spread // 4, spread) for crew in _CREWS[:2])
-    rng = random.Random(seed)  # noqa: S311 - variation, not secrecy
-    for number in range(runs):
-        jitter = {activity: rng.randrange(spread) for activity in range(len(problem.graph.activities))}
-        binding = witness if number % 4 == 3 else {}
-        yield Rule(_CREWS[number % 3], rng.choice((0, 0, spread // 16, spread // 4)), jitter, binding)
-    for binding in islice(_bindings(problem), MAX_BINDINGS):
-        yield from (Rule(crew, binding=binding) for crew in _CREWS[:2])
-
-
-def _bindings(problem: Problem) -> Iterator[dict[int, str]]:
-    """Every way of giving the groups of roles a robot, up to the first few types' interchangeable ones."""
-    groups = sorted(problem.staffing.members)
-    if len(groups) > 16:
-        return
-    robots = [
-        [robot.id for robot in problem.fleet.by_id[problem.staffing.type_of[group]].members[: len(groups)]]
-        for group in groups
-    ]
-    for chosen in product(*robots):
-        yield dict(zip(groups, chosen, strict=True))
-
-
-def _unknown(problem: Problem, alternative: Alternative, failures: list[Reason]) -> Schedule:
-    return Schedule(
-        rank=alternative.rank,
-        status="unknown",
-        certificate=Certificate(
-            claim="unproven",
-            method="serial_generation",
-            bound=seconds(problem.bounds.makespan),
-            detail="No run found a schedule, and nothing proves that there is none.",
-        ),
-        reasons=tuple(failures[:8]),
-    )
-
-
-def _schedule(problem: Problem, alternative: Alternative, draft: Draft) -> Schedule:
-    bound = problem.bounds.makespan
-    optimal = draft.makespan == bound
-    name = problem.bounds.method.replace("_", " ")
-    detail = (
-        f"The makespan equals the lower bound by {name}."
-        if optimal
-        else f"No schedule is shorter than {seconds(bound):g} s, the lower bound by {name}."
-    )
-    return Schedule(
-        rank=alternative.rank,
-        status="optimal" if optimal else "feasible",
-        certificate=Certificate(
-            claim="proven" if optimal else "bounded", method=problem.bounds.method, bound=seconds(bound), detail=detail
-        ),
-        assignments=tuple(Assignment(role, robot) for role, robot in draft.robot_of.items()),
-        actions=tuple(
-            ScheduledAction(leaf=one.leaf, robot=one.robot, start_s=seconds(one.start), end_s=seconds(one.end))
-            for one in draft.done
-        ),
-        legs=_legs(problem, draft),
-        makespan_s=seconds(draft.makespan),
-        assumptions=_assumptions(problem, draft),
-    )
-
-
-def _legs(problem: Problem, draft: Draft) -> tuple[TravelLeg, ...]:
-    legs = [leg for one in draft.done if (leg := _leg(one, problem.graph.tree.action(one.leaf).moves)) is not None]
-    return tuple(sorted(legs, key=lambda leg: (leg.start_s, leg.leaf, leg.robot)))
-
-
-def _leg(one: Done, moves: bool) -> TravelLeg | None:
-    trip = one.trip
-    if trip is None or trip.origin is None or trip.destination is None or not (moves or trip.metres or trip.ticks):
-        return None
-    return TravelLeg(
-        robot=one.robot,
-        leaf=one.leaf,
-        start_s=seconds(one.leaves_at),
-        end_s=seconds(one.arrives_at),
-        origin=trip.origin,
-        destination=trip.destination,
-        distance_m=trip.metres,
-        via=trip.via,
-    )
-
-
-def _assumptions(problem: Problem, draft: Draft) -> tuple[Reason, ...]:
-    """What was taken for granted on the way, each thing once."""
-    reasons: dict[tuple[str, str], Reason] = {}
-    for one in draft.done:
-        kind = problem.fleet.type_of[one.robot]
-        trip = one.trip
-        if trip is None or trip.destination is None:
-            continue
-        if trip.origin is None:
-            reasons.setdefault(
-                ("start_unknown", one.robot),
-                Reason(
-                    rule="start_unknown",
-                    message=f"Where {one.robot} comes from is not known; getting to its first place is counted as no travel.",
-                    severity="assumption",
-                    robot=one.robot,
-                    hint="Give the robot a position or a place.",
-                ),
-            )
-        elif trip.metres and not problem.trips.speed_known(kind.id):
-            reasons.setdefault(
-                ("speed_unknown", kind.id),
-                Reason(
-                    rule="speed_unknown",
-                    message=f"How fast {kind.label} travels is not known; ways to actions take no time, moves their nominal duration.",
-                    severity="assumption",
-                    robot=kind.id,
-                    needed="max_speed_mps",
-                    hint="Give the type the limit max_speed_mps.",
-                ),
-            )
-    return tuple(reasons[key] for key in sorted(reasons))

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
-from missiontree.estimation.travel import Blocked, start_of
+from missiontree.estimation.travel import Blocked
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
@@ -42,7 +42,7 @@ def unreachable_places(graph: TaskGraph, places: Places, fleet: Fleet, trips: Tr
 def _unreachable(action: Action, leaf: int, places: Places, fleet: Fleet, trips: Trips) -> Reason | None:
     kind = fleet.by_id[action.robot_type]
     blocked: Blocked | None = None
-    for start in dict.fromkeys(start_of(robot, trips.scene) for robot in kind.members):
+    for start in dict.fromkeys(trips.starts(kind.id)):
         for spot in places.of[leaf]:
             if start is None or spot is None:
                 return None
@@ -124,11 +124,3 @@ def _budget_reason(kind: RobotType, name: str, needed: float, there: float, node
         found=f"{name} {there:g}",
         needed=f"{name} {needed:g}",
     )
-
-
-def missing(needs: Mapping[str, float], left: Mapping[str, float]) -> str | None:
-    """A budget that the needs exceed, or None; a budget that is not limited is never exceeded."""
-    for name, amount in needs.items():
-        if amount > left.get(name, amount) + TOLERANCE:
-            return name
-    return None

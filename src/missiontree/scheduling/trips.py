@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from missiontree.estimation.travel import Blocked, TravelModel, speed_of, travel_time_s
+from missiontree.estimation.travel import Blocked, TravelModel, speed_of, start_of, travel_time_s
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
 from missiontree.mission.position import Position
@@ -63,6 +63,7 @@ class Trips:
         self.fleet = fleet
         self.scene = scene
         self._model = TravelModel(scene)
+        self._starts: dict[str, tuple[Spot, ...]] = {}
         self._trips: dict[tuple[str, Spot, Spot, tuple[str, ...], float | None], Trip | Blocked] = {}
 
     def trip(self, action: Action, origin: Spot, destination: Spot) -> Trip | Blocked:
@@ -80,6 +81,15 @@ class Trips:
         found = self._trips.get(key)
         if found is None:
             found = self._trips[key] = self._find(*key)
+        return found
+
+    def starts(self, robot_type: str) -> tuple[Spot, ...]:
+        """Where the robots of a type start, one by one; None where that is not known."""
+        found = self._starts.get(robot_type)
+        if found is None:
+            kind = self.fleet.by_id[robot_type]
+            named = tuple(start_of(robot, self.scene) for robot in kind.robots)
+            found = self._starts[robot_type] = named or (start_of(kind.members[0], self.scene),) * len(kind.members)
         return found
 
     def speed_known(self, robot_type: str) -> bool:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from missiontree.estimation.travel import start_of
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
 from missiontree.scheduling.trips import Spot, Trips
@@ -19,8 +18,8 @@ class RobotState:
     ----------
     id, type_id, index
         Robot, its type, and its number in the fleet.
-    spot
-        Where it is; None if unknown.
+    spot, stand
+        Where it is, None if unknown; and the number of that spot, see :meth:`WorldState.number`.
     free_at
         When its last action ends, in ticks.
     role
@@ -39,6 +38,7 @@ class RobotState:
     type_id: str
     index: int
     spot: Spot
+    stand: int = 0
     free_at: int = 0
     role: int | None = None
     promised: int | None = None
@@ -71,17 +71,24 @@ class WorldState:
     def __init__(self, fleet: Fleet, trips: Trips) -> None:
         self._trips = trips
         self._entities: dict[str, EntityState] = {}
+        self._numbers: dict[Spot, int] = {}
         self.moves = 0  # how often something was brought elsewhere
         self.robots: dict[str, RobotState] = {}
         for kind in fleet.types:
-            for robot in kind.members:
+            limits = dict(kind.limits)
+            for robot, start in zip(kind.members, trips.starts(kind.id), strict=True):
                 self.robots[robot.id] = RobotState(
                     robot.id,
                     kind.id,
                     len(self.robots),
-                    start_of(robot, trips.scene),
-                    left={**kind.limits, **robot.remaining},
+                    start,
+                    self.number(start),
+                    left=limits | dict(robot.remaining) if robot.remaining else dict(limits),
                 )
+
+    def number(self, spot: Spot) -> int:
+        """A number for a spot: quicker to look up than a position."""
+        return self._numbers.setdefault(spot, len(self._numbers))
 
     def entity(self, name: str) -> EntityState:
         """State of an entity or place."""
@@ -109,7 +116,7 @@ class WorldState:
             state = self.entity(action.at)
             state.used_until = max(state.used_until, start if action.open_ended else end)
         if action.moves or destination is not None:
-            robot.spot = destination
+            robot.spot, robot.stand = destination, self.number(destination)
         for name in action.brings:
             self.moves += 1
             brought = self.entity(name)

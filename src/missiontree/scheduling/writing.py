@@ -1,0 +1,107 @@
+"""From what a run came to, to the schedule that people read: certificate, legs, and what was taken for granted."""
+
+from __future__ import annotations
+
+from missiontree.mission.alternative import Alternative, Assignment
+from missiontree.mission.certificate import Certificate
+from missiontree.mission.reason import Reason
+from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.scheduling.problem import Done, Draft, Problem
+from missiontree.scheduling.ticks import seconds
+
+
+def unknown_schedule(problem: Problem, alternative: Alternative, failures: list[Reason]) -> Schedule:
+    """The schedule of an alternative for which no run found one, and why."""
+    return Schedule(
+        rank=alternative.rank,
+        status="unknown",
+        certificate=Certificate(
+            claim="unproven",
+            method="serial_generation",
+            bound=seconds(problem.bounds.makespan),
+            detail="No run found a schedule, and nothing proves that there is none.",
+        ),
+        reasons=tuple(failures[:8]),
+    )
+
+
+def found_schedule(problem: Problem, alternative: Alternative, draft: Draft) -> Schedule:
+    """The schedule that a draft makes, with what is proven of it."""
+    bound = problem.bounds.makespan
+    optimal = draft.makespan == bound
+    name = problem.bounds.method.replace("_", " ")
+    detail = (
+        f"The makespan equals the lower bound by {name}."
+        if optimal
+        else f"No schedule is shorter than {seconds(bound):g} s, the lower bound by {name}."
+    )
+    return Schedule(
+        rank=alternative.rank,
+        status="optimal" if optimal else "feasible",
+        certificate=Certificate(
+            claim="proven" if optimal else "bounded", method=problem.bounds.method, bound=seconds(bound), detail=detail
+        ),
+        assignments=tuple(Assignment(role, robot) for role, robot in draft.robot_of.items()),
+        actions=tuple(
+            ScheduledAction(leaf=one.leaf, robot=one.robot, start_s=seconds(one.start), end_s=seconds(one.end))
+            for one in draft.done
+        ),
+        legs=_legs(problem, draft),
+        makespan_s=seconds(draft.makespan),
+        assumptions=_assumptions(problem, draft),
+    )
+
+
+def _legs(problem: Problem, draft: Draft) -> tuple[TravelLeg, ...]:
+    legs = [leg for one in draft.done if (leg := _leg(one, problem.graph.tree.action(one.leaf).moves)) is not None]
+    return tuple(sorted(legs, key=lambda leg: (leg.start_s, leg.leaf, leg.robot)))
+
+
+def _leg(one: Done, moves: bool) -> TravelLeg | None:
+    trip = one.trip
+    if trip is None or trip.origin is None or trip.destination is None or not (moves or trip.metres or trip.ticks):
+        return None
+    return TravelLeg(
+        robot=one.robot,
+        leaf=one.leaf,
+        start_s=seconds(one.leaves_at),
+        end_s=seconds(one.arrives_at),
+        origin=trip.origin,
+        destination=trip.destination,
+        distance_m=trip.metres,
+        via=trip.via,
+    )
+
+
+def _assumptions(problem: Problem, draft: Draft) -> tuple[Reason, ...]:
+    """What was taken for granted on the way, each thing once."""
+    reasons: dict[tuple[str, str], Reason] = {}
+    for one in draft.done:
+        kind = problem.fleet.type_of[one.robot]
+        trip = one.trip
+        if trip is None or trip.destination is None:
+            continue
+        if trip.origin is None:
+            reasons.setdefault(
+                ("start_unknown", one.robot),
+                Reason(
+                    rule="start_unknown",
+                    message=f"Where {one.robot} comes from is not known; getting to its first place is counted as no travel.",
+                    severity="assumption",
+                    robot=one.robot,
+                    hint="Give the robot a position or a place.",
+                ),
+            )
+        elif trip.metres and not problem.trips.speed_known(kind.id):
+            reasons.setdefault(
+                ("speed_unknown", kind.id),
+                Reason(
+                    rule="speed_unknown",
+                    message=f"How fast {kind.label} travels is not known; ways to actions take no time, moves their nominal duration.",
+                    severity="assumption",
+                    robot=kind.id,
+                    needed="max_speed_mps",
+                    hint="Give the type the limit max_speed_mps.",
+                ),
+            )
+    return tuple(reasons[key] for key in sorted(reasons))
