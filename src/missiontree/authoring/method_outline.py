@@ -63,6 +63,15 @@ class Outline:
     pieces: list[Piece] = field(default_factory=list)
     links: list[tuple[Piece, Piece, LinkKind]] = field(default_factory=list)
 
+    @property
+    def all_pieces(self) -> Iterator[Piece]:
+        """All pieces, tasks before what they consist of."""
+        waiting = list(reversed(self.pieces))
+        while waiting:
+            piece = waiting.pop()
+            yield piece
+            waiting.extend(reversed(piece.pieces))
+
     def link(self, first: Piece, second: Piece, kind: LinkKind = "precedence") -> None:
         """Link two pieces once."""
         if first is not second and (first, second, kind) not in self.links:
@@ -83,41 +92,42 @@ def outline_of(method: Method, bindings: Bindings, library: RoutineLibrary) -> O
         If a step names a routine that is not on offer, or gives it the wrong number of arguments.
     """
     built = Outline()
-    named: dict[str, list[tuple[frozenset[str], Piece]]] = {}
-    waiting: list[tuple[Step, Piece]] = []
-    for step in method.steps:
-        built.pieces += _build(step, bindings, library, named, waiting)
-    for step, piece in waiting:
-        for earlier in step.after:
-            for _, other in _alike(named.get(earlier, []), piece):
-                built.link(other, piece)
-        if step.until:
+    made: dict[int, list[Piece]] = {}  # by the step's identity: two steps may look alike
+    steps = [step for step in method.all_steps if not _needless(step, bindings)]
+    for step in reversed(steps):  # what a task consists of stands behind it, so it is made before the task
+        made[id(step)] = _pieces(
+            step, [piece for below in step.steps for piece in made.get(id(below), [])], bindings, library
+        )
+    built.pieces = [piece for step in method.steps for piece in made.get(id(step), [])]
+    standing = set(built.all_pieces)
+    for pieces in made.values():  # what hangs below a step that is left out goes with it
+        pieces[:] = [piece for piece in pieces if piece in standing]
+    named = {step.name: _about(made[id(step)]) for step in steps if step.name}
+    for step in steps:
+        for piece in made[id(step)]:
+            for earlier in step.after:
+                for _, other in _alike(named.get(earlier, []), piece):
+                    built.link(other, piece)
             for _, other in named.get(step.until, []):
                 built.link(piece, other, "until")
     return built
 
 
-def _build(
-    step: Step,
-    bindings: Bindings,
-    library: RoutineLibrary,
-    named: dict[str, list[tuple[frozenset[str], Piece]]],
-    waiting: list[tuple[Step, Piece]],
-) -> list[Piece]:
-    if step.unless_known and all(mention.known and not mention.lost for mention in bindings[step.unless_known]):
-        return []
-    pieces = [_leaf(step, mentions, library) for mentions in _rows(step.arguments, bindings)] if step.do else []
-    if step.task:
-        task = Piece(title(fill(step.task, bindings)), gate=step.gate)
-        for below in step.steps:
-            task.pieces += _build(below, bindings, library, named, waiting)
-        pieces = [task] if task.pieces else []
-    for piece in pieces:
-        waiting.append((step, piece))
-        if step.name:
-            about = frozenset(mention.name for leaf in piece.leaves for mention in leaf.mentions)
-            named.setdefault(step.name, []).append((about, piece))
-    return pieces
+def _needless(step: Step, bindings: Bindings) -> bool:
+    """Whether a step only finds out what the scene knows."""
+    spared = bindings[step.unless_known] if step.unless_known else ()
+    return bool(step.unless_known) and all(mention.known and not mention.lost for mention in spared)
+
+
+def _pieces(step: Step, below: list[Piece], bindings: Bindings, library: RoutineLibrary) -> list[Piece]:
+    if step.do:
+        return [_leaf(step, mentions, library) for mentions in _rows(step.arguments, bindings)]
+    return [Piece(title(fill(step.task, bindings)), pieces=below, gate=step.gate)] if below else []
+
+
+def _about(pieces: list[Piece]) -> list[tuple[frozenset[str], Piece]]:
+    """Each piece with the names of those it is about."""
+    return [(frozenset(mention.name for leaf in piece.leaves for mention in leaf.mentions), piece) for piece in pieces]
 
 
 def _leaf(step: Step, mentions: tuple[Mention, ...], library: RoutineLibrary) -> Piece:

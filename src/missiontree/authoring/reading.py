@@ -110,6 +110,8 @@ class _Splitter:
         while place < len(lows):
             place += self._step(lows, place)
         self._close("start")
+        if self.held:  # a robot that is told nothing
+            self.done.append(Clause(words=tuple(Word(word.text, word.text.lower()) for word in self.held)))
         return tuple(self.done)
 
     def _step(self, lows: list[str], place: int) -> int:
@@ -200,7 +202,7 @@ class _Splitter:
             if not self.leading and self.relation not in _SUBORDINATE:
                 self.main = index
         elif following in {"start", "and"}:
-            self.held = []
+            self.held = [word for word in self.held if _is_mark([word.low], 0)]
             return
         self.held = []
         inherits = (

@@ -134,6 +134,8 @@ class GoalReader:
         said = {slot: tuple(m for p in phrases for m in self.speakers.resolve(p)) for slot, phrases in read.items()}
         if candidate.method is not None and not self._holds(candidate.method, said, read):
             return None
+        if any(element.text == "and" for element in candidate.form) and any(len(p) > 1 for p in read.values()):
+            raise UnclearError("it is not clear who is meant for whom")
         if several := [slot for slot, phrases in list(read.items())[1:] if len(phrases) > 1]:
             texts = " and ".join(phrase.text for phrase in read[several[0]])
             raise UnclearError(f"it is not clear which of {texts} is meant for which")
@@ -143,7 +145,7 @@ class GoalReader:
         for leaf in (leaf for piece in outline.pieces for leaf in piece.leaves):
             leaf.resources = clause.robots
         self._refuse_other_places(outline, said)
-        self.speakers.remember(tuple(said.values()))
+        self.speakers.remember(tuple(group for slot, group in said.items() if not self._is_hazard(read[slot])))
         remarks = unused_words(outline, read, said, self.lexicon, self.brief.world)
         return Goal(clause, outline, reading_line(candidate, clause, read, said), tuple(remarks))
 
@@ -211,14 +213,16 @@ class GoalReader:
         for slot, conditions in method.where.items():
             if slot not in said:
                 continue
-            heads = (phrase.name.lower().split(" of ")[0] for phrase in read[slot])
-            hazard = any(self.lexicon.hazard_words.within(head.split()) for head in heads)
-            holds = {"hazard"} if hazard else {mention.kind for mention in said[slot]}
+            holds = {"hazard"} if self._is_hazard(read[slot]) else {mention.kind for mention in said[slot]}
             if any(mention.to_be_found for mention in said[slot]):
                 holds.add("lost")
             if not holds & set(conditions):
                 return False
         return True
+
+    def _is_hazard(self, phrases: tuple[Phrase, ...]) -> bool:
+        heads = (phrase.name.lower().split(" of ")[0] for phrase in phrases)
+        return any(self.lexicon.hazard_words.within(head.split()) for head in heads)
 
     def _completed(self, method: Method, said: Bindings, words: tuple[Word, ...]) -> Bindings:
         """The slots with what the method implies, and those who are called for the hazards that the words name."""

@@ -197,6 +197,8 @@ class PhraseReader:
         if not 1 <= len(words) <= MAX_NAME_WORDS or words[-1].low.endswith("'s"):
             return False
         lows = [word.low for word in words]
+        if lows[0] in self._small["directions"] and len(lows) == 1:
+            return False
         known = self._known_words(lows)
         for place, low in enumerate(lows):
             if known[place]:
@@ -238,6 +240,7 @@ class PhraseReader:
             "passed_over",
             "describing",
             "relatives",
+            "vague",
         )
         if any(low in small[name] for name in refused) or low in small["pronouns"]:
             return False

@@ -37,6 +37,9 @@ def unused_words(outline: Outline, read: Read, said: Said, lexicon: Lexicon, sce
             if phrase.description and not _is_used(phrase.description, said[slot], lexicon, scene):
                 message = f"{phrase.description!r} is taken to describe {phrase.name}; the plan makes no use of it."
                 yield Reason(rule="description_unused", message=message, severity="assumption", node=phrase.name)
+            for choice in (state for state in phrase.states if state in lexicon.words["choosing"]):
+                message = f"{choice!r} does not choose among several {phrase.name}s; the plan makes no use of it."
+                yield Reason(rule="description_unused", message=message, severity="assumption", node=phrase.name)
         for mention in said[slot]:
             shown = any(mention.label in piece.label for piece in outline.pieces)
             if (
