@@ -14,6 +14,7 @@ from missiontree.formats.source import clean
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet
+from missiontree.mission.magnitude import refuse_huge
 from missiontree.mission.scene import Scene
 from missiontree.mission.tree import MissionTree
 from missiontree.routines.library import load
@@ -111,6 +112,7 @@ def request_from(
             weights=weights or file.weights,
             check_kinds=file.check_kinds if check_kinds is None else check_kinds,
         )
+        refuse_huge(brief.fleet, brief.routines, brief.weights)
     except ValueError as error:
         misfits = ", ".join(source.split(" ", 1)[1] for source in _sources(path, fleet_from, scene_from, (), ()))
         hint = f"{misfits or 'The inputs'}: these do not fit together; mend one of them."

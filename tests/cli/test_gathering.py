@@ -80,3 +80,17 @@ def test_a_file_that_cannot_be_written_is_refused_before_planning(shell: Shell, 
     ran = shell("plan", "Find the cat", option, ".")
     assert (ran.code, ran.out) == (2, "")
     assert "cannot be written" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("quality", "weights"),
+    [("1.0e+300", "1"), ("1", "1e300"), ("1", "1e308,1e308,1e308")],
+    ids=["fleet", "alpha", "all"],
+)
+def test_numbers_beyond_measure_are_bad_input(shell: Shell, site: Path, quality: str, weights: str) -> None:
+    """Not an internal error: no utility could be told from another."""
+    (site / "fleet.yaml").write_text(FLEET.replace("search: 1", f"search: {quality}"), encoding="utf-8")
+    (site / "mission.yaml").write_text("mission: Find the cat", encoding="utf-8")
+    ran = shell("plan", "site", "--weights", weights)
+    assert ran.code == 2, ran
+    assert "is too large" in ran.err
