@@ -25,21 +25,28 @@ def stands_at(entity: Entity, place: Entity, scene: Scene) -> bool | None:
 
     An entity that has only a position is at the place that is nearest to it.
     """
-    above: Entity | None = entity
-    for _ in scene.all_entities:
-        if above is None or above.place is None:
-            break
-        if above.place == place.id:
-            return True
-        above = scene.by_id.get(above.place)
+    line = _line(entity, scene)
+    if place.id in line:
+        return True
     here, there = scene.whereabouts(entity), scene.whereabouts(place)
+    same = here.position is not None and here.position == there.position
+    if entity.place is not None:
+        return None if entity.place in _line(place, scene) else same
     if here.source != "known" or here.position is None or there.position is None:
         return None
-    if entity.place is not None:
-        return here.position == there.position
     reach = _distance(here.position, there.position)
     others = (scene.whereabouts(other).position for other in scene.places if other.id not in {place.id, entity.id})
     return all(reach <= _distance(here.position, other) for other in others if other is not None)
+
+
+def _line(entity: Entity, scene: Scene) -> list[str]:
+    """The place that an entity is at, the place where that is, and so on."""
+    line: list[str] = []
+    above = entity.place
+    while above is not None and above not in line:
+        line.append(above)
+        above = scene.by_id[above].place
+    return line
 
 
 def plain(text: str) -> str:
