@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -17,7 +18,7 @@ def test_words_alone_take_the_papers_team() -> None:
     assert request.brief.fleet.types[0].id == "mobile_scooter"
     assert request.brief.scene is None
     assert (request.k, request.allocator, request.model, request.seed) == (4, "exact", "offline", 0)
-    assert request.sources == ("fleet the paper's team (fleet.yaml)",)
+    assert request.sources == ("fleet the paper's team",)
 
 
 def test_a_mission_file_names_everything_and_arguments_go_before_it() -> None:
@@ -50,3 +51,29 @@ def test_a_file_that_is_not_there_is_named(tmp_path: Path) -> None:
     with pytest.raises(InputError) as caught:
         request_from(tmp_path / "mission.yaml")
     assert caught.value.file == str(tmp_path / "mission.yaml")
+
+
+def test_a_path_as_text_is_a_path() -> None:
+    assert request_from(str(PROJECT / "mission.yaml")).k == 3
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"mission": None}, "None"),
+        ({"mission": 3}, "mission is 3"),
+        ({"fleet": {"types": []}}, "a Fleet, or the path of a fleet file"),
+        ({"routines": "inspect.yaml"}, "a list of routines"),
+        ({"weights": (1, 2, 3, 4)}, "up to three numbers"),
+        ({"weights": (-1,)}, "at least 0"),
+        ({"k": "3"}, "a whole number of at least 1"),
+        ({"k": 0}, "a whole number of at least 1"),
+        ({"k": True}, "a whole number of at least 1"),
+        ({"seed": "x"}, "a whole number"),
+        ({"model": 5}, "offline, recorded"),
+    ],
+)
+def test_an_argument_of_the_wrong_type_is_refused_in_words(arguments: dict[str, Any], words: str) -> None:
+    with pytest.raises(InputError) as caught:
+        request_from(**{"mission": "Find the cat", **arguments})
+    assert words in str(caught.value)

@@ -11,7 +11,9 @@ from missiontree import Plan, check, plan
 from missiontree.briefing import request_from
 from missiontree.errors import InputError
 from missiontree.formats.document import read_text, write_text
+from missiontree.llm.scripted import ScriptedModel
 from missiontree.mission.control import Control
+from missiontree.mission.routine import ActionStep, Argument, Branch, RoleSpec, Routine
 from missiontree.planner import plan_request
 from missiontree.reporting.text import plan_text
 from missiontree.samples.catalogue import SAMPLES, sample_file
@@ -194,6 +196,47 @@ def test_weights_change_the_ranking() -> None:
     hurried = replace(request, brief=replace(request.brief, weights=replace(request.brief.weights, beta=0.1)))
     by_time = plan_request(hurried, Control())
     assert utilities(by_time)[0] < utilities(by_quality)[0]
+
+
+def test_a_chat_model_of_ones_own_can_build_the_tree() -> None:
+    """The seam for language models is open: a scripted one goes through the same dialogue and the same gate."""
+    attached = {
+        "parentString": "Find the cat",
+        "treeNames": ["SearchTree"],
+        "treeArguments": [["cat"]],
+        "LogicalConstraint": "AND",
+    }
+    turn = [
+        ("HierarchicalTree_init", {"objective": "Find the cat"}),
+        ("attachMultiSubTrees", attached),
+        ("plotTree", {}),
+    ]
+    made = plan("Find the cat", model=ScriptedModel([turn]))
+    assert made.outcome == "delivered", made.reasons
+    assert utilities(made) == [3.0, 0.9]
+    assert made.provenance.author == "scripted"
+    assert not any("can draw" in line for line in made.provenance.transcript)  # plotTree found somebody who draws
+
+
+def test_a_routine_written_in_python_is_handed_in() -> None:
+    water = Routine(
+        id="Water",
+        purpose="Water {plant}.",
+        verbs=("water",),
+        arguments=(Argument(name="plant", kinds=("object",)),),
+        branches=(
+            Branch(
+                name="can",
+                roles=(
+                    RoleSpec(name="gardener", rating="reach", actions=(ActionStep(name="pour", text="Water {plant}"),)),
+                ),
+            ),
+        ),
+    )
+    made = plan("Water the roses", routines=[water])
+    assert made.outcome == "delivered", made.reasons
+    # Reach is rated 1.0 in the Mobile Scooter and the Tele-Robot, 0.3 in the other two.
+    assert utilities(made) == [1.0, 1.0, 0.3, 0.3]
 
 
 def test_inputs_that_do_not_fit_together_are_refused(tmp_path: Path) -> None:

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from missiontree.mission.position import Position
     from missiontree.mission.scene import Entity, Scene
     from missiontree.planner import plan
+    from missiontree.routines.python import routine
     from missiontree.reporting.text import plan_text
 
 __version__ = "0.1.0"
@@ -44,6 +45,7 @@ _HOMES = {
     "check": "checking",
     "plan": "planner",
     "plan_text": "reporting.text",
+    "routine": "routines.python",
 }
 
 __all__ = [
@@ -62,6 +64,7 @@ __all__ = [
     "check",
     "plan",
     "plan_text",
+    "routine",
 ]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -11,16 +11,30 @@ from missiontree.errors import InputError
 from missiontree.formats.document import read_file
 from missiontree.formats.mission_file import MissionFile
 from missiontree.formats.source import clean
+from missiontree.llm.chat import ChatModel
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.magnitude import refuse_huge
+from missiontree.mission.routine import Routine
 from missiontree.mission.scene import Scene
 from missiontree.mission.tree import MissionTree
-from missiontree.routines.library import load
+from missiontree.routines.library import load, with_routines
 from missiontree.samples.catalogue import FOLDER
 
 MAX_WORDS = 5_000
+MISSION_FILES = (".yaml", ".yml", ".json")
+ARGUMENTS: dict[str, tuple[tuple[type, ...], str]] = {
+    "mission": ((str, Path), "the mission in words, or the path of a mission file"),
+    "fleet": ((Fleet, str, Path), "a Fleet, or the path of a fleet file"),
+    "scene": ((Scene, str, Path), "a Scene, or the path of a scene file"),
+    "routines": ((list, tuple), "a list of routines, or of files of routines"),
+    "methods": ((list, tuple), "a list of files of methods"),
+    "k": ((int,), "a whole number of at least 1"),
+    "allocator": ((str,), "the name of an allocator"),
+    "model": ((str, Callable), "offline, recorded:<file>, or a chat model"),  # type: ignore[dict-item]
+    "seed": ((int,), "a whole number"),
+}
 DEFAULT_K = 4
 
 
@@ -39,8 +53,10 @@ class Request:
         Files of mission methods beside the built-in ones.
     k
         How many alternatives are asked for.
-    allocator, model
-        Names of the method of allocation and of the author.
+    allocator
+        Name of the method of allocation.
+    model
+        Name of the author, or a chat model of the caller's own.
     seed
         Seed of everything random.
     sources
@@ -52,7 +68,7 @@ class Request:
     methods: tuple[Path, ...] = ()
     k: int = DEFAULT_K
     allocator: str = "exact"
-    model: str = "offline"
+    model: str | ChatModel = "offline"
     seed: int = 0
     sources: tuple[str, ...] = ()
 
@@ -62,9 +78,9 @@ def request_from(
     *,
     fleet: Fleet | Path | str | None = None,
     scene: Scene | Path | str | None = None,
-    routines: Sequence[Path | str] = (),
+    routines: Sequence[Routine | Path | str] = (),
     methods: Sequence[Path | str] = (),
-    weights: Weights | None = None,
+    weights: Weights | Sequence[float] | None = None,
     check_kinds: bool | None = None,
     project: Path | None = None,
     **options: Any,
@@ -75,11 +91,13 @@ def request_from(
     Parameters
     ----------
     mission
-        The mission in words, or the path of a mission file.
+        The mission in words, or the path of a mission file; text that ends in ``.yaml``, ``.yml`` or ``.json`` is such a path.
     fleet, scene
         Values, or files. Default: the mission file's, else ``fleet.yaml`` and ``scene.yaml`` beside it, else the paper's
         sample fleet and no scene.
-    routines, methods
+    routines
+        Routines, or files of them, beside the built-in ones.
+    methods
         Files of the user's own, beside the built-in ones.
     weights, check_kinds
         See :class:`MissionBrief`.
@@ -91,15 +109,20 @@ def request_from(
     Raises
     ------
     InputError
-        If a file cannot be read, or its contents do not fit together.
+        If an argument is not what it should be, a file cannot be read, or its contents do not fit together.
     """
+    _refuse_others(mission=mission, fleet=fleet, scene=scene, routines=routines, methods=methods, **options)
+    if isinstance(mission, str) and mission.endswith(MISSION_FILES):
+        mission = Path(mission)
     path = mission if isinstance(mission, Path) else project
     file = _mission_file(path) if path is not None else MissionFile(mission="-")
     words = file.mission if isinstance(mission, Path) else clean(mission, "mission")
     base = path.parent if path is not None else Path()
     if len(words.split()) > MAX_WORDS:
         raise InputError(f"the mission has {len(words.split())} words", accepted=f"at most {MAX_WORDS} words")
-    library_files = [base / name for name in file.routines] + [Path(name) for name in routines]
+    library_files = [base / name for name in file.routines]
+    library_files += [Path(name) for name in routines if not isinstance(name, Routine)]
+    own_routines = [routine for routine in routines if isinstance(routine, Routine)]
     method_files = [base / name for name in file.methods] + [Path(name) for name in methods]
     fleet_from, scene_from = _fleet_source(fleet, file, path), _scene_source(scene, file, path)
     try:
@@ -107,9 +130,9 @@ def request_from(
             text=words,
             fleet=_value(fleet_from, "fleet"),
             scene=None if scene_from is None else _value(scene_from, "scene"),
-            routines=load(library_files),
+            routines=with_routines(load(library_files), own_routines),
             entities=file.entities,
-            weights=weights or file.weights,
+            weights=file.weights if weights is None else _weights(weights),
             check_kinds=file.check_kinds if check_kinds is None else check_kinds,
         )
         refuse_huge(brief.fleet, brief.routines, brief.weights)
@@ -127,6 +150,25 @@ def request_from(
         "seed": file.seed,
     }
     return replace(request, **named | {name: value for name, value in options.items() if value is not None})
+
+
+def _refuse_others(**given: Any) -> None:
+    """Refuse an argument of another type than its own, in words."""
+    for name, value in given.items():
+        types, accepted = ARGUMENTS[name]
+        if (value is not None or name == "mission") and (not isinstance(value, types) or isinstance(value, bool)):
+            raise InputError(f"{name} is {value!r:.60}", accepted=accepted)
+    if given.get("k") is not None and given["k"] < 1:
+        raise InputError(f"k is {given['k']}", accepted=ARGUMENTS["k"][1])
+
+
+def _weights(weights: Weights | Sequence[float]) -> Weights:
+    if isinstance(weights, Weights):
+        return weights
+    try:
+        return Weights(*weights)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"weights is {weights!r:.60}: {error}", accepted="Weights, or up to three numbers") from error
 
 
 def _fleet_source(fleet: Fleet | Path | str | None, file: MissionFile, path: Path | None) -> Fleet | Path | str:

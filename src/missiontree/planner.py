@@ -11,7 +11,7 @@ from pathlib import Path
 
 from missiontree import __version__
 from missiontree.allocation import ALLOCATORS
-from missiontree.authoring.author import authored_from_tree
+from missiontree.authoring.author import author_tree, authored_from_tree
 from missiontree.authoring.methods import load_methods
 from missiontree.authoring.offline import author_offline
 from missiontree.authoring.outcome import Authored
@@ -20,6 +20,7 @@ from missiontree.briefing import Request, request_from
 from missiontree.checking import check
 from missiontree.errors import InputError, InternalError
 from missiontree.formats.inputs import input_digests
+from missiontree.llm.chat import ChatModel
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.control import Control
 from missiontree.mission.estimate import Weights
@@ -27,8 +28,10 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Grounding
 from missiontree.mission.plan import Outcome, Plan, Provenance
 from missiontree.mission.reason import Reason
+from missiontree.mission.routine import Routine
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
+from missiontree.reporting.tree_view import tree_svg
 from missiontree.routines.ground import ground
 from missiontree.scheduling import SCHEDULERS
 
@@ -41,13 +44,13 @@ def plan(
     *,
     fleet: Fleet | Path | str | None = None,
     scene: Scene | Path | str | None = None,
-    routines: Sequence[Path | str] = (),
+    routines: Sequence[Routine | Path | str] = (),
     methods: Sequence[Path | str] = (),
-    weights: Weights | None = None,
+    weights: Weights | Sequence[float] | None = None,
     check_kinds: bool | None = None,
     k: int | None = None,
     allocator: str | None = None,
-    model: str | None = None,
+    model: str | ChatModel | None = None,
     seed: int | None = None,
     control: Control | None = None,
 ) -> Plan:
@@ -57,13 +60,13 @@ def plan(
     Parameters
     ----------
     mission
-        The mission in words, or the path of a mission file.
+        The mission in words, or the path of a mission file; text that ends in ``.yaml``, ``.yml`` or ``.json`` is such a path.
     fleet
         The team: a value or a file. Default: the mission file's, else the paper's sample fleet.
     scene
         The world: a value or a file. Default: the mission file's, else none.
     routines
-        Files of further routines (YAML, or Python files).
+        Further routines, or files of them (YAML, or Python files, which are run).
     methods
         Files of further mission methods for the offline author.
     weights
@@ -75,7 +78,8 @@ def plan(
     allocator
         ``exact`` (default), ``pruned``, ``pruned_as_printed`` or ``exhaustive``.
     model
-        ``offline`` (default), or ``recorded:<file>`` to replay a transcript.
+        ``offline`` (default), ``recorded:<file>`` to replay a transcript, or a chat model of your own: anything that fits
+        :class:`missiontree.llm.chat.ChatModel`.
     seed
         Seed of everything random. Default 0.
     control
@@ -127,6 +131,8 @@ def author(request: Request) -> Authored:
     """Have the mission tree built, or take the one that was handed in."""
     if request.tree is not None:
         return authored_from_tree(request.tree, request.brief)
+    if not isinstance(request.model, str):
+        return author_tree(request.brief, request.model, draw=tree_svg)
     if request.model == "offline":
         return author_offline(request.brief, load_methods(request.methods))
     name, _, file = request.model.partition(":")
@@ -136,7 +142,11 @@ def author(request: Request) -> Authored:
         except (OSError, UnicodeDecodeError) as error:
             raise InputError("the transcript cannot be read", file=file, hint=str(error)) from error
         return replay(lines, request.brief)
-    raise InputError(f"there is no model {request.model!r}", accepted="offline, recorded:<file of a transcript>")
+    raise InputError(
+        f"there is no model {request.model!r}",
+        accepted="offline, recorded:<file of a transcript>",
+        hint="It was named by --model, by the environment's MISSIONTREE_MODEL, or by the mission file.",
+    )
 
 
 def staff_and_schedule(

@@ -105,7 +105,7 @@ def test_compare_says_what_the_papers_algorithm_loses(shell: Shell, tmp_path: Pa
     assert runs["exact"]["utilities"] == runs["exhaustive"]["utilities"] == [1.5]
     assert runs["exact"]["status"] == "exact"
     assert runs["pruned"]["utilities"] == []
-    assert runs["pruned"]["lost_ranks"] == [1]
+    assert runs["pruned"]["lost"] == [1.5]
 
 
 def test_the_same_words_give_the_same_bytes_whatever_the_hash_seed(tmp_path: Path) -> None:

@@ -26,6 +26,7 @@ class Sample(Value):
     loads: dict[Id, NonNegative] = field(default_factory=dict)
     index: Index = 0
     level: Annotated[int, Ge(-3)] = 0
+    note: str = ""
 
 
 def test_lists_and_dicts_become_immutable() -> None:
@@ -58,6 +59,8 @@ def test_lists_and_dicts_become_immutable() -> None:
         ({"loads": {"x": -2}}, ["loads.x must be at least 0"]),
         ({"loads": [1]}, ["loads must be a mapping"]),
         ({"level": -4}, ["level must be at least -3"]),
+        ({"level": 1.5}, ["level must be a whole number", "1.5"]),
+        ({"note": 3}, ["note must be text", "3"]),
     ],
 )
 def test_a_broken_constraint_names_field_and_value(fields: dict[str, object], words: list[str]) -> None:

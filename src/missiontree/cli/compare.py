@@ -88,25 +88,25 @@ def command(
             ranking = allocate(tree, brief.fleet, brief.weights, request.k, control)
         runs.append(Run(name, ranking, time.perf_counter() - started))
     if as_json:
-        typer.echo(json.dumps([_plain(run, runs) for run in runs], indent=2))
+        typer.echo(json.dumps([_plain(run, runs, request.k) for run in runs], indent=2))
     else:
-        show(_table(runs), colour)
+        show(_table(runs, request.k), colour)
         for run in runs:
             for reason in run.ranking.reasons[:3]:
                 show(Text(f"{run.allocator}: ").append_text(reason_line(reason)), colour)
     return Exit.DELIVERED if runs[0].ranking.alternatives else Exit.CANNOT_BE_DONE
 
 
-def lost(run: Run, runs: list[Run]) -> list[Alternative]:
-    """Alternatives that an exact run lists and this run does not."""
-    reference = next((other.ranking for other in runs if other.ranking.status == "exact"), None)
-    if reference is None:
-        return []
+def lost(run: Run, runs: list[Run], k: int) -> list[Alternative]:
+    """Of the k best alternatives that any run lists, those that this run does not; an exact run's list is the last word."""
+    exact = [other.ranking for other in runs if other.ranking.status == "exact"]
+    known = {one.choices: one for ranking in exact or [other.ranking for other in runs] for one in ranking.alternatives}
+    best = sorted(known.values(), key=lambda one: (-one.utility, one.rank))[:k]
     found = {alternative.choices for alternative in run.ranking.alternatives}
-    return [alternative for alternative in reference.alternatives if alternative.choices not in found]
+    return [alternative for alternative in best if alternative.choices not in found]
 
 
-def _table(runs: list[Run]) -> Table:
+def _table(runs: list[Run], k: int) -> Table:
     from rich.table import Table
 
     table = Table(box=None, padding=(0, 2, 0, 0), header_style="dim")
@@ -119,19 +119,19 @@ def _table(runs: list[Run]) -> Table:
             str(len(run.ranking.alternatives)),
             utilities + (", …" if len(run.ranking.alternatives) > 6 else ""),
             run.ranking.status,
-            str(len(lost(run, runs))),
+            str(len(lost(run, runs, k))),
             str(run.ranking.examined),
             f"{run.elapsed_s * 1000:.1f} ms",
         )
     return table
 
 
-def _plain(run: Run, runs: list[Run]) -> dict[str, object]:
+def _plain(run: Run, runs: list[Run], k: int) -> dict[str, object]:
     return {
         "allocator": run.allocator,
         "status": run.ranking.status,
         "utilities": [alternative.utility for alternative in run.ranking.alternatives],
-        "lost_ranks": [alternative.rank for alternative in lost(run, runs)],
+        "lost": [alternative.utility for alternative in lost(run, runs, k)],
         "examined": run.ranking.examined,
         "time_s": round(run.elapsed_s, 6),
     }

@@ -12,8 +12,6 @@ if TYPE_CHECKING:
     from missiontree.briefing import Request
     from missiontree.mission.estimate import Weights
 
-MISSION_FILES = (".yaml", ".yml", ".json")
-
 
 def gather(
     mission: str | None,
@@ -40,8 +38,6 @@ def gather(
     """
     from missiontree.briefing import request_from
 
-    if k is not None and k < 1:
-        raise InputError(f"-k {k}", accepted="a whole number of at least 1")
     source, project = _mission(mission, sample)
     in_words = isinstance(source, str) and project is None
     return request_from(
@@ -79,8 +75,6 @@ def _mission(mission: str | None, sample: str | None) -> tuple[str | Path, Path 
         return here, None
     if mission.strip() and os.path.isdir(mission):  # Path.is_dir fails on a sentence of a thousand words
         return _of_folder(Path(mission)), None
-    if mission.endswith(MISSION_FILES):
-        return Path(mission), None
     return mission, here if here.exists() else None
 
 

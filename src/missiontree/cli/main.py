@@ -60,4 +60,6 @@ def _run() -> int:
         ) from error
     except typer.Abort as error:
         raise KeyboardInterrupt from error
+    if code == Exit.INTERRUPTED:  # the parser turns an interruption into a code before anybody is told
+        raise KeyboardInterrupt
     return code if isinstance(code, int) else Exit.DELIVERED

@@ -19,39 +19,60 @@ Mission = Annotated[
 FleetFile = Annotated[
     Path | None,
     typer.Option(
-        "--fleet", help="Fleet file. Default: the mission file's, else fleet.yaml of the folder, else the paper's team."
+        "--fleet",
+        metavar="FILE",
+        help="Fleet file. Default: the mission file's, else fleet.yaml of the folder, else the paper's team.",
     ),
 ]
 SceneFile = Annotated[
     Path | None,
-    typer.Option("--scene", help="Scene file. Default: the mission file's, else scene.yaml of the folder, else none."),
+    typer.Option(
+        "--scene",
+        metavar="FILE",
+        help="Scene file. Default: the mission file's, else scene.yaml of the folder, else none.",
+    ),
 ]
 RoutineFiles = Annotated[
     list[Path] | None,
-    typer.Option("--routines", help="File of further routines; may be given several times. A .py file is run."),
+    typer.Option(
+        "--routines", metavar="FILE", help="File of further routines; may be given several times. A .py file is run."
+    ),
 ]
 MethodFiles = Annotated[
-    list[Path] | None, typer.Option("--methods", help="File of further mission methods; may be given several times.")
+    list[Path] | None,
+    typer.Option("--methods", metavar="FILE", help="File of further mission methods; may be given several times."),
 ]
 WeightsText = Annotated[
     str | None,
-    typer.Option("--weights", help="alpha,beta,gamma of utility = alpha*quality - beta*seconds - gamma*cost."),
+    typer.Option(
+        "--weights", metavar="A,B,C", help="alpha,beta,gamma of utility = alpha*quality - beta*seconds - gamma*cost."
+    ),
 ]
-Alternatives = Annotated[int | None, typer.Option("-k", "--alternatives", help="How many alternatives. Default 4.")]
+Alternatives = Annotated[
+    int | None, typer.Option("-k", "--alternatives", metavar="K", help="How many alternatives. Default 4.")
+]
 Sample = Annotated[
-    str | None, typer.Option("--sample", help="Plan a sample mission: reunite, rescue, luggage, monster, …")
+    str | None,
+    typer.Option(
+        "--sample", metavar="NAME", help="Plan a sample: reunite, rescue, luggage, monster, restaurants, site."
+    ),
 ]
 Model = Annotated[
     str | None,
     typer.Option(
-        "--model", envvar="MISSIONTREE_MODEL", help="Who reads the mission: offline (default) or recorded:FILE."
+        "--model",
+        metavar="MODEL",
+        envvar="MISSIONTREE_MODEL",
+        help="Who reads the mission: offline (default) or recorded:FILE.",
     ),
 ]
 Kinds = Annotated[
     bool | None, typer.Option("--kinds/--no-kinds", help="Enforce kinds of arguments (a message needs a reader).")
 ]
-TimeLimit = Annotated[float | None, typer.Option("--time-limit", help="Seconds that planning may take.")]
-Seed = Annotated[int | None, typer.Option("--seed", help="Seed of everything random. Default 0.")]
+TimeLimit = Annotated[
+    float | None, typer.Option("--time-limit", metavar="SECONDS", help="Seconds that planning may take.")
+]
+Seed = Annotated[int | None, typer.Option("--seed", metavar="N", help="Seed of everything random. Default 0.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print nothing but the answer.")]
 Colour = Annotated[

@@ -28,14 +28,19 @@ def command(
     weights: options.WeightsText = None,
     k: options.Alternatives = None,
     allocator: Annotated[
-        str | None, typer.Option("--allocator", help="exact (default), pruned, pruned_as_printed or exhaustive.")
+        str | None,
+        typer.Option("--allocator", metavar="NAME", help="exact (default), pruned, pruned_as_printed or exhaustive."),
     ] = None,
     model: options.Model = None,
     kinds: options.Kinds = None,
-    out: Annotated[Path | None, typer.Option("--out", help="Write the plan to this file, as JSON.")] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FILE", help="Write the plan to this file, as JSON.")
+    ] = None,
     transcript: Annotated[
         Path | None,
-        typer.Option("--transcript", help="Write the dialogue that built the tree to this file, as JSON lines."),
+        typer.Option(
+            "--transcript", metavar="FILE", help="Write the dialogue that built the tree to this file, as JSON lines."
+        ),
     ] = None,
     time_limit: options.TimeLimit = None,
     seed: options.Seed = None,

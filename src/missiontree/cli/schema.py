@@ -17,7 +17,8 @@ def command(
         str | None, typer.Argument(help="fleet, scene, routines, mission, plan, … Without it: the list.")
     ] = None,
     out: Annotated[
-        Path | None, typer.Option("--out", help="Write to this file; with no kind: every schema into this folder.")
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="Write to this file; with no kind: every schema into this folder."),
     ] = None,
 ) -> int:
     """Print the JSON Schema of a kind of document."""

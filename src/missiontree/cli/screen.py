@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from typing import TYPE_CHECKING
 
@@ -13,7 +14,7 @@ PIPE_WIDTH = 100
 
 def show(view: RenderableType, colour: bool | None = None) -> None:
     """Print an answer; colour as the terminal can, unless told. Into a file or a pipe it is plain text of fixed width."""
-    if colour or (sys.stdout.isatty() and colour is not False):
+    if colour or (colour is None and sys.stdout.isatty() and not os.environ.get("NO_COLOR")):
         _console(colour).print(view)
         return
     from missiontree.reporting.text import render
@@ -35,8 +36,9 @@ def remark(text: str, colour: bool | None = None) -> None:
     from missiontree.reporting.text import words
 
     width = None if sys.stderr.isatty() else PIPE_WIDTH
-    console = Console(stderr=True, no_color=colour is False or None, width=width, highlight=False, soft_wrap=True)
-    console.print(words(text, "dim"))
+    plain = colour is False or (colour is None and bool(os.environ.get("NO_COLOR")))
+    console = Console(stderr=True, width=width, highlight=False, soft_wrap=True)
+    console.print(words(text, "" if plain else "dim"))
 
 
 def _console(colour: bool | None) -> Console:

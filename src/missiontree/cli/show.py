@@ -22,7 +22,9 @@ if TYPE_CHECKING:
 
 def command(
     plan: Annotated[Path, typer.Argument(help="A plan file, as `missiontree plan --out` writes it.")],
-    tree: Annotated[Path | None, typer.Option("--tree", help="Draw the mission tree into this SVG file.")] = None,
+    tree: Annotated[
+        Path | None, typer.Option("--tree", metavar="FILE", help="Draw the mission tree into this SVG file.")
+    ] = None,
     transcript: Annotated[bool, typer.Option("--transcript", help="Print the dialogue that built the tree.")] = False,
     as_json: options.AsJson = False,
     colour: options.Colour = None,

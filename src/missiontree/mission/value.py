@@ -108,9 +108,7 @@ def _rule(annotation: Any) -> Freeze | None:
         return _sequence(_rule(args[0]), args)
     if origin is not None and isinstance(origin, type) and issubclass(origin, Mapping):
         return _mapping(_rule(args[0]), _rule(args[1]))
-    if annotation is float:
-        return _number
-    return None
+    return _PLAIN.get(annotation) if isinstance(annotation, type) else None
 
 
 def _constrained(base: Any, marks: tuple[Any, ...]) -> Freeze | None:
@@ -122,8 +120,10 @@ def _constrained(base: Any, marks: tuple[Any, ...]) -> Freeze | None:
         return _rule(base)
     low, inclusive = lows[0]
 
+    plain = _whole if base is int else _number
+
     def bounded(name: str, given: Any) -> Any:
-        _number(name, given)
+        plain(name, given)
         if given < low or (given == low and not inclusive):
             raise ValueError(f"{name} must be {'at least' if inclusive else 'above'} {low}, got {given}.")
         return given
@@ -144,6 +144,21 @@ def _number(name: str, given: Any) -> Any:
     if isinstance(given, bool) or not isinstance(given, int | float) or not math.isfinite(given):
         raise ValueError(f"{name} must be a finite number, got {given!r}.")
     return given
+
+
+def _whole(name: str, given: Any) -> Any:
+    if isinstance(given, bool) or not isinstance(given, int):
+        raise ValueError(f"{name} must be a whole number, got {given!r}.")
+    return given
+
+
+def _text(name: str, given: Any) -> Any:
+    if not isinstance(given, str):
+        raise ValueError(f"{name} must be text, got {given!r}.")
+    return given
+
+
+_PLAIN: dict[type, Freeze] = {float: _number, int: _whole, str: _text}
 
 
 def _sequence(inner: Freeze | None, args: tuple[Any, ...]) -> Freeze:

@@ -25,7 +25,7 @@ HEADLINES: dict[Outcome, tuple[str, str]] = {
     "delivered": ("Plan", "bold green"),
     "cannot_be_done": ("Cannot be done", "bold red"),
     "incomplete": ("Incomplete: not every part of the mission is understood or built", "bold yellow"),
-    "exhausted": ("Out of time or budget before the thing asked was found", "bold yellow"),
+    "exhausted": ("Nothing was found with the time and effort given; nothing is excluded", "bold yellow"),
     "provider_failed": ("The language model could not be used", "bold red"),
 }
 MARKS: dict[Severity, tuple[str, str]] = {
