@@ -251,7 +251,7 @@ class Speakers:
                 return tuple({m.name: self._again(m) for m in together[0]}.values())
             single |= {m.name: m for group in fitting for m in group if m.name not in single}
             if together:
-                break
+                raise _which(phrase, single.values())
         if len(single) == 2:
             return tuple(self._again(single[name]) for name in sorted(single, key=self._first_said))
         if single:
