@@ -20,7 +20,7 @@ MOST_AT_ONCE = 50
 
 class Journey(NamedTuple):
     """
-    What a robot has to travel for one action that has a place.
+    What a robot has to travel for one action that has a place. Once it was at a place that is not known, ``origin`` is None.
 
     ``goals`` holds more than one spot only where the entity is moved, in no time, at the very moment. ``free_from`` is when the
     robot's action before ended, in ticks.
@@ -95,6 +95,5 @@ def journeys(case: Case, timetable: Timetable) -> Iterator[Journey]:
             if deed.action.at is not None:
                 goals = movements.spots(deed.action.at, deed)
                 yield Journey(deed, spot, goals, free_from)
-                if deed.action.moves or goals != (None,):
-                    spot = goals[0] if len(goals) == 1 else None  # at which of them it is, nobody can tell
+                spot = goals[0] if len(goals) == 1 else None  # at which of them it is, nobody can tell
             free_from = max(free_from, deed.end)

@@ -42,7 +42,7 @@ def precedence_broken(case: Case) -> Iterator[Fault]:
 
 
 def until_broken(case: Case) -> Iterator[Fault]:
-    """An open-ended action does not last until the node that its link names has ended."""
+    """An open-ended action is not under way when the nodes that its until links name end, or does not end with the last of them."""
     for timetable in case.timetables:
         until: dict[int, int] = {}
         for bond in timetable.staffing.bonds:
@@ -53,13 +53,12 @@ def until_broken(case: Case) -> Iterator[Fault]:
             deed = timetable.deeds.get(leaf)
             if deed is None or not deed.action.open_ended:
                 continue
-            needed = max(deed.start, end)
-            if abs(deed.end - needed) > TOLERANCE:
+            if abs(deed.end - end) > TOLERANCE or deed.start >= min(end, deed.end):
                 yield Fault(
-                    f"schedule {timetable.schedule.rank}: {named(timetable.tree, leaf)} ends at {shown(deed.end)}; "
-                    f"it lasts until {shown(needed)}.",
+                    f"schedule {timetable.schedule.rank}: {named(timetable.tree, leaf)} lasts from {shown(deed.start)} to "
+                    f"{shown(deed.end)}; it starts before {shown(end)} and lasts until then.",
                     node=named(timetable.tree, leaf),
                     robot=deed.robot,
-                    found=shown(deed.end),
-                    needed=shown(needed),
+                    found=f"{shown(deed.start)} to {shown(deed.end)}",
+                    needed=f"before {shown(end)}, until {shown(end)}",
                 )

@@ -90,7 +90,10 @@ class RoadWays:
         return near
 
     def problem(self, leg: TravelLeg) -> str:
-        """What is wrong with the road nodes that a leg names; empty if nothing is."""
+        """What is wrong with the road nodes that a leg names, or leaves out; empty if nothing is."""
+        if not leg.via:
+            stays = leg.origin.floor == leg.destination.floor and _straight_m(leg.origin, leg.destination) <= 1e-3
+            return "" if stays and leg.distance_m <= 1e-3 else "names no road node, and there is no way past the roads"
         if unknown := [name for name in leg.via if name not in self.points]:
             return f"passes {unknown[0]!r}, which is no road node"
         metres = 0.0
@@ -103,10 +106,24 @@ class RoadWays:
         for end, name in ends:
             if end.floor != self.points[name].floor:
                 return f"joins {name}, which is on another floor"
-            metres += math.hypot(end.x_m - self.points[name].x_m, end.y_m - self.points[name].y_m)
+            near = [node for node, _ in self.nearest(end)]
+            if near and name not in near:
+                return f"joins {name}; the nearest node of the road is {' or '.join(near)}"
+            metres += _straight_m(end, self.points[name])
         if leg.distance_m < metres - 1e-3:
             return f"claims {leg.distance_m:g} m; the way that it names is {metres:g} m long"
         return ""
+
+    def named_s(self, leg: TravelLeg, speed_mps: float) -> float:
+        """Seconds that the road nodes of a leg take at a speed; 0 where they are no way at all."""
+        if self.problem(leg) or not leg.via:
+            return 0.0
+        ends = _straight_m(leg.origin, self.points[leg.via[0]]) + _straight_m(leg.destination, self.points[leg.via[-1]])
+        between = (
+            min(metres / speed_mps + ride_s for other, metres, ride_s in self.steps[first] if other == second)
+            for first, second in pairwise(leg.via)
+        )
+        return ends / speed_mps + sum(between)
 
     def sees(self, first: Position, second: Position) -> bool:
         """Whether the straight line between two points of a floor keeps out of everything that is closed."""
@@ -117,3 +134,7 @@ class RoadWays:
         if floor not in self._closed:
             self._closed[floor] = closed_areas(self._type, self._scene, floor)
         return self._closed[floor]
+
+
+def _straight_m(first: Position, second: Position) -> float:
+    return math.hypot(first.x_m - second.x_m, first.y_m - second.y_m)

@@ -31,16 +31,16 @@ class Travelled(NamedTuple):
 
 
 def leg_missing(case: Case) -> Iterator[Fault]:
-    """A robot is needed somewhere else than where it is, and no leg takes it there."""
+    """A robot is needed somewhere else than where it is and no leg takes it there; or a move whose ends are known has no leg."""
     for timetable, journey in _journeys(case):
         deed = journey.deed
         if (deed.robot, deed.leaf) in timetable.legs or journey.origin is None:
             continue
         gaps = [apart_m(journey.origin, goal) for goal in journey.goals if goal is not None]
-        if len(gaps) == len(journey.goals) and min(gaps) > NEAR_M:
+        if len(gaps) == len(journey.goals) and (deed.action.moves or min(gaps) > NEAR_M):
             yield Fault(
                 f"schedule {timetable.schedule.rank}: {deed.robot} is {min(gaps):g} m from where it does "
-                f"{named(timetable.tree, deed.leaf)} and does not travel there.",
+                f"{named(timetable.tree, deed.leaf)} and no leg takes it there.",
                 node=named(timetable.tree, deed.leaf),
                 robot=deed.robot,
                 found="no leg",
@@ -110,7 +110,7 @@ def leg_without_way(case: Case) -> Iterator[Fault]:
 
 
 def leg_too_fast(case: Case) -> Iterator[Fault]:
-    """A leg takes less time than the quickest way, or than its own metres at the speed of the robot and of what it brings."""
+    """A leg takes less time than the quickest way, than the way that it names, or than its own metres at the speed of the robot and of what it brings."""
     for made in _travelled(case):
         speed = _speed(case, made)
         found = tick(made.leg.end_s) - tick(made.leg.start_s)
@@ -118,7 +118,8 @@ def leg_too_fast(case: Case) -> Iterator[Fault]:
             needed_s = made.journey.deed.action.duration_s if made.journey.deed.action.moves else 0.0
         else:
             quickest = case.ways.quickest_s(made.robot_type, made.leg.origin, made.leg.destination, speed)
-            needed_s = max(quickest if math.isfinite(quickest) else 0.0, made.leg.distance_m / speed)
+            named_s = case.ways.named_s(made.robot_type, made.leg, speed)
+            needed_s = max(quickest if math.isfinite(quickest) else 0.0, named_s, made.leg.distance_m / speed)
         if found < ticks_needed(needed_s) - TOLERANCE:
             needed = shown(ticks_needed(needed_s))
             yield _fault(made, f"takes {shown(found)}; it needs {needed}", shown(found), f"at least {needed}")
@@ -140,11 +141,11 @@ def leg_at_wrong_time(case: Case) -> Iterator[Fault]:
 
 
 def leg_via_broken(case: Case) -> Iterator[Fault]:
-    """The road nodes that a leg names are no way open to its robot, or a longer one than the leg claims."""
+    """The road nodes that a leg names are none where it needs some, no way open to its robot, or a longer one than the leg claims."""
     for made in _travelled(case):
-        problem = case.ways.via_problem(made.robot_type, made.leg) if made.leg.via else ""
+        problem = case.ways.via_problem(made.robot_type, made.leg)
         if problem:
-            yield _fault(made, problem, " - ".join(made.leg.via), "roads and lifts open to the robot")
+            yield _fault(made, problem, " - ".join(made.leg.via) or "no road node", "roads and lifts open to the robot")
 
 
 def move_too_short(case: Case) -> Iterator[Fault]:

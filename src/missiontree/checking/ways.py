@@ -50,11 +50,16 @@ class Ways:
         return self._least(robot_type, origin, destination, speed_mps)
 
     def via_problem(self, robot_type: RobotType, leg: TravelLeg) -> str:
-        """What is wrong with the road nodes that a leg names; empty if nothing is."""
+        """What is wrong with the road nodes that a leg names, or leaves out; empty if nothing is."""
         roads = self._map(robot_type)
-        if not isinstance(roads, RoadWays):
-            return "names road nodes where there is no road graph"
-        return roads.problem(leg)
+        if isinstance(roads, RoadWays):
+            return roads.problem(leg)
+        return "names road nodes where there is no road graph" if leg.via else ""
+
+    def named_s(self, robot_type: RobotType, leg: TravelLeg, speed_mps: float) -> float:
+        """Seconds that the road nodes of a leg take at a speed, rides in lifts included; 0 where they are no way."""
+        roads = self._map(robot_type)
+        return roads.named_s(leg, speed_mps) if isinstance(roads, RoadWays) else 0.0
 
     def _least(self, robot_type: RobotType, origin: Position, destination: Position, speed_mps: float | None) -> float:
         if origin == destination:
