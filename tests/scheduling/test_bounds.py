@@ -66,5 +66,28 @@ def test_a_place_that_may_have_moved_counts_the_least_of_all_it_may_be() -> None
     assert bounds_of(mission(parts, [("a", "m")]), *kinds, world=scene(box=9, q=3)).makespan == 10_000
 
 
+def test_the_load_of_one_robot_counts_the_way_into_each_place() -> None:
+    """
+    From 0, p at 10 and q at -10 with 1 s of work each, 1 m/s. Nobody starts at p or q, and each is visited once: p is entered from 0
+    or from q, by 10 s at least, and so is q. Load: 11 + 11 = 22 s; it ends 1 s after 10 + 1 + 20, at 32 s.
+    """
+    made = mission([Part("a", "r", [work(1, at="p")]), Part("b", "r", [work(1, at="q")])])
+    bounds = bounds_of(made, robots("r", speed=1, position=at(0)), world=scene(p=10, q=-10))
+    assert (bounds.makespan, bounds.method) == (22_000, "load")
+    # a second role at p may find the robot there: then only the way to q is certain, 1 + 1 + 11 s from 0 on
+    made = mission([Part(name, "r", [work(1, at=place)]) for name, place in (("a", "p"), ("c", "p"), ("b", "q"))])
+    assert bounds_of(made, robots("r", speed=1, position=at(0)), world=scene(p=10, q=-10)).makespan == 13_000
+
+
+def test_a_move_into_a_role_is_no_longer_than_the_joint_move_that_it_is() -> None:
+    """a goes 5 m to p, together with b, which comes from q, 5 m off as well: the way into a is that move, and not added to it."""
+    made = mission(
+        [Part("a", "x", [move("p", sync=0)]), Part("b", "y", [work(1, at="q"), move("p", sync=0)])],
+    )
+    kinds = robots("x", speed=1, position=at(0)), robots("y", speed=1, position=at(0))
+    # b: 10 m to q, 1 s, 5 m back to p = 16 s; a's own way of 5 s lies within the last 5 s
+    assert bounds_of(made, *kinds, world=scene(p=5, q=10)).makespan == 16_000
+
+
 def _robot(name: str, x_m: float) -> Robot:
     return Robot(id=name, position=at(x_m))

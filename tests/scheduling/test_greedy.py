@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import count
+
 import pytest
 
 from missiontree.mission.control import Control
@@ -362,6 +364,26 @@ def test_stopped_before_the_end_it_says_so() -> None:
     large = mission([Part(f"a{number}", "r", [work(1)]) for number in range(300)])
     result = schedule(large, robots("r"), control=Control(stop=lambda: True))
     assert (result.status, result.reasons[0].rule) == ("unknown", "time_limit")
+
+
+def test_time_runs_out_within_a_run_and_the_best_so_far_is_kept() -> None:
+    """
+    A clock that advances 1 s at every look: 300 actions of one robot need 300 looks or a few more for a run.
+
+    With 5,000 s several runs are complete and the last is cut off; with 20 s none is, and that is said first.
+    """
+    made = mission([Part(f"a{number}", "r", [work(1, at="pq"[number % 2])]) for number in range(300)])
+    kind, world = robots("r", speed=1, position=at(0)), scene(p=3, q=9)
+
+    def within(limit_s: float) -> Schedule:
+        looks = count()
+        control = Control(time_limit_s=limit_s, clock=lambda: float(next(looks)))
+        return schedule(made, kind, world=world, control=control)
+
+    cut = within(20)
+    assert (cut.status, cut.actions, cut.reasons[0].rule) == ("unknown", (), "time_limit")
+    assert within(5_000).status in {"optimal", "feasible"}
+    assert len(within(5_000).actions) == 300
 
 
 def test_the_same_input_and_seed_give_the_same_schedule() -> None:

@@ -10,13 +10,15 @@ from __future__ import annotations
 
 import heapq
 import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from missiontree.estimation.travel import Blocked
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
 from missiontree.mission.position import Position
+from missiontree.scheduling.entries import least_entries
+from missiontree.scheduling.load import load_bound
 from missiontree.scheduling.places import Places, Spots
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
@@ -76,7 +78,8 @@ def lower_bounds(
     release = _releases(graph, travel, duration)
     heads, tails = _longest_paths(graph, order, duration, lag, release)
     path = max(heads, default=0)
-    load = _load_bound(graph, staffing, fleet, duration, lag, heads, tails)
+    entries = least_entries(graph, staffing, places, trips)
+    load = load_bound(graph, staffing, fleet, duration, lag, heads, tails, entries)
     method = "load" if load > path else "critical_path"
     return Bounds(max(path, load), method, duration, lag, heads, tails)
 
@@ -205,40 +208,3 @@ def _longest_paths(
         for after in graph.successors[event]:
             tails[event] = max(tails[event], tails[after] + weight(event, after))
     return heads, tails
-
-
-def _load_bound(
-    graph: TaskGraph,
-    staffing: Staffing,
-    fleet: Fleet,
-    duration: Sequence[int],
-    lag: dict[int, int],
-    heads: Sequence[int],
-    tails: Sequence[int],
-) -> int:
-    by_type: dict[str, list[tuple[int, int, int]]] = {}
-    by_group: dict[int, list[tuple[int, int, int]]] = {}
-    for role, leaves in graph.roles.items():
-        hold = sum(duration[graph.activity_of[leaf]] + lag.get(leaf, 0) for leaf in leaves)
-        piece = (heads[graph.start(leaves[0])], hold, tails[graph.end(leaves[-1])])
-        by_type.setdefault(staffing.type_of[role], []).append(piece)
-        by_group.setdefault(staffing.group_of[role], []).append(piece)
-    loads = [_shared(pieces, len(fleet.by_id[kind].members)) for kind, pieces in by_type.items()]
-    loads += [_shared(pieces, 1) for pieces in by_group.values() if len(pieces) > 1]
-    return max(loads, default=0)
-
-
-def _shared(pieces: Iterable[tuple[int, int, int]], robots: int) -> int:
-    """The largest, over sets of pieces, of least head + load per robot + least tail."""
-    pieces = sorted(pieces, key=lambda piece: -piece[2])  # by tail, the longest first
-    heads = sorted({head for head, _, _ in pieces})
-    if len(heads) * len(pieces) > 1_000_000:
-        heads = heads[:: len(heads) * len(pieces) // 1_000_000 + 1]
-    best = 0
-    for least in heads:
-        load = 0
-        for head, hold, tail in pieces:
-            if head >= least:
-                load += hold
-                best = max(best, least - (-load // robots) + tail)
-    return best
