@@ -21,6 +21,7 @@ _QUOTES = str.maketrans(
 _STOPS = frozenset(".!?;:")
 _AUXILIARIES = frozenset({"is", "are", "be", "gets", "been"})
 _MODALS = frozenset({"must", "should", "shall"})
+_COORDINATE = frozenset({"and", "then", "meanwhile"})
 _SUBORDINATE = frozenset({"before", "after", "while", "until"})
 
 
@@ -102,6 +103,7 @@ class _Splitter:
     anchor: int | None = None
     leading: bool = False  # the clause under way is subordinate and its main clause comes behind it
     main: int | None = None  # index of the last main clause
+    pending: tuple[Relation, int | None] = ("start", None)  # how that main clause is joined to what stands before both
     sentence: int = 0
 
     def split(self) -> tuple[Clause, ...]:
@@ -143,16 +145,20 @@ class _Splitter:
             self._close(relation)
             self.anchor = self.main
         else:
+            self.pending = (self.relation, self.anchor) if self.relation in _COORDINATE else ("start", None)
             self.relation, self.leading = relation, True
 
     def _comma_or_and(self, lows: list[str], place: int) -> int:
         behind = place + 1
         while behind < len(lows) and lows[behind] in {"and", ","}:
             behind += 1
-        if self.lexicon.joins.at(lows, behind) is not None and not self._is_first(lows, behind):
+        if (joined := self.lexicon.joins.at(lows, behind)) is not None and not self._is_first(lows, behind):
+            if joined[0] in _SUBORDINATE and "and" in lows[place:behind] and not self.leading:
+                self._close("and")  # "and when it is found, ..." belongs to what comes
             return behind - place
         if self.leading and lows[place] == "," and self.held:
             self._close("start")
+            self.relation, self.anchor = self.pending
             return behind - place
         if self.held and self._one_verb(lows, place):
             self.held.append(self.words[place])

@@ -183,6 +183,6 @@ def _word(ok: bool) -> str:
 _OTHER_INPUTS = Reason(
     rule="other_inputs",
     message="The transcript was recorded with another mission, fleet, scene or set of routines; its calls were judged anew.",
-    severity="notice",
+    severity="warning",
     hint="Look the tree over before you rely on it.",
 )
