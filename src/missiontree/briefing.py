@@ -61,6 +61,8 @@ class Request:
         Seed of everything random.
     sources
         What was taken from where, for the screen.
+    tree_file
+        File of the tree that was handed in.
     """
 
     brief: MissionBrief
@@ -71,6 +73,7 @@ class Request:
     model: str | ChatModel = "offline"
     seed: int = 0
     sources: tuple[str, ...] = ()
+    tree_file: str = ""
 
 
 def request_from(
@@ -142,7 +145,10 @@ def request_from(
         raise InputError(str(error), hint=hint) from error
     tree = _value(base / file.tree, "tree") if file.tree else None
     sources = _sources(path, fleet_from, scene_from, library_files, method_files)
-    request = Request(brief=brief, tree=tree, methods=tuple(method_files), sources=sources)
+    tree_file = str(base / file.tree) if file.tree else ""
+    if tree is not None and not words:
+        brief = replace(brief, text=tree.objective)
+    request = Request(brief=brief, tree=tree, methods=tuple(method_files), sources=sources, tree_file=tree_file)
     named: dict[str, Any] = {
         "k": file.k,
         "allocator": file.allocator,

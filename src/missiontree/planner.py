@@ -6,6 +6,7 @@ Each step is a function from frozen value to frozen value; what takes long is gi
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -31,12 +32,14 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Routine
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.tree import MissionTree
 from missiontree.reporting.tree_view import tree_svg
 from missiontree.routines.ground import ground
 from missiontree.scheduling import SCHEDULERS
 
 MAX_DRAWN = 200
 ALLOCATION_SHARE = 0.6
+CALLED = re.compile(r" \([a-z]+[A-Z]\w*\)")  # names of functions, in hints that are worded for a model
 
 
 def plan(
@@ -130,7 +133,7 @@ def plan_request(request: Request, control: Control) -> Plan:
 def author(request: Request) -> Authored:
     """Have the mission tree built, or take the one that was handed in."""
     if request.tree is not None:
-        return authored_from_tree(request.tree, request.brief)
+        return _handed_in(request.tree, request)
     if not isinstance(request.model, str):
         return author_tree(request.brief, request.model, draw=tree_svg)
     if request.model == "offline":
@@ -147,6 +150,16 @@ def author(request: Request) -> Authored:
         accepted="offline, recorded:<file of a transcript>",
         hint="It was named by --model, by the environment's MISSIONTREE_MODEL, or by the mission file.",
     )
+
+
+def _handed_in(tree: MissionTree, request: Request) -> Authored:
+    """A tree from a file: unfinished is an outcome, contradictory is bad input."""
+    authored = authored_from_tree(tree, request.brief)
+    if faults := [reason for reason in authored.reasons if reason.rule != "open_leaf"]:
+        more = f" ({len(faults) - 1} more in the tree)" if len(faults) > 1 else ""
+        hint = CALLED.sub("", faults[0].hint)
+        raise InputError(faults[0].message + more, file=request.tree_file, accepted=faults[0].needed, hint=hint)
+    return authored
 
 
 def staff_and_schedule(
@@ -187,7 +200,10 @@ def _told(
     """Put everything known into one value."""
     outcome, reasons = _outcome(authored, grounding, ranking, schedules)
     scheduled = [reason for schedule in schedules for reason in schedule.assumptions]
-    grounded = grounding or None
+    warnings = [notice for notice in authored.notices if notice.severity == "warning"]
+    notices = [notice for notice in authored.notices if notice.severity != "warning"]
+    found = grounding.findings if grounding else ()
+    seen = {finding.rule for finding in found}  # the author's gate may have seen the same before grounding did
     return Plan(
         outcome=outcome,
         brief=request.brief,
@@ -196,9 +212,9 @@ def _told(
         ranking=ranking,
         schedules=schedules,
         reasons=reasons,
-        notices=_distinct([*authored.notices, *(grounded.notices if grounded else ())]),
-        assumptions=_distinct([*authored.assumptions, *(grounded.assumptions if grounded else ()), *scheduled]),
-        findings=grounded.findings if grounded else (),
+        notices=_distinct([*notices, *(grounding.notices if grounding else ())]),
+        assumptions=_distinct([*authored.assumptions, *(grounding.assumptions if grounding else ()), *scheduled]),
+        findings=_distinct([*found, *(warning for warning in warnings if warning.rule not in seen)]),
         digests=input_digests(request.brief, authored.tree),
         provenance=Provenance(
             author=authored.author,

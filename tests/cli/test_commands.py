@@ -134,3 +134,25 @@ def test_ctrl_c_stops_long_work_with_what_it_has(shell: Shell, monkeypatch: pyte
 def test_colour_is_for_terminals_and_those_who_ask(shell: Shell) -> None:
     assert "\x1b[" not in shell("plan", "--sample", "reunite").out
     assert "\x1b[" in shell("plan", "--sample", "reunite", "--colour").out
+
+
+def test_the_order_of_each_robot_is_told_without_a_clock(shell: Shell) -> None:
+    shell("plan", "--sample", "reunite", "--out", "plan.json", "--quiet")
+    lines = shell("show", "plan.json", "--order", "1").out.splitlines()
+    assert lines[:4] == [
+        "tele_robot-1",
+        "1. Get search path to find Child",
+        "2. Detect Child",
+        "3. Report detection of Child to server",
+    ]
+    assert shell("show", "plan.json", "--order", "9").code == 2
+
+
+def test_an_interruption_is_told_in_words(shell: Shell, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(self: Control) -> bool:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Control, "ended", interrupted)
+    ran = shell("plan", "--sample", "rescue")
+    assert (ran.code, ran.out) == (130, "")
+    assert "interrupted" in ran.err

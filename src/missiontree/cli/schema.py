@@ -24,14 +24,17 @@ def command(
     """Print the JSON Schema of a kind of document."""
     import json
 
-    from missiontree.formats.document import KINDS, json_schema
+    from missiontree.authoring.methods import MethodFile
+    from missiontree.formats.document import KINDS
+    from missiontree.formats.schema import schema_of
 
-    if kind is not None and kind not in KINDS:
-        raise InputError(f"there is no document {kind!r}", accepted=", ".join(KINDS))
+    kinds = {**KINDS, "methods": MethodFile}  # methods are known to the author alone
+    if kind is not None and kind not in kinds:
+        raise InputError(f"there is no document {kind!r}", accepted=", ".join(kinds))
     if kind is None and out is None:
-        typer.echo("\n".join(KINDS))
+        typer.echo("\n".join(kinds))
         return Exit.DELIVERED
-    texts = {name: json.dumps(json_schema(name), indent=2) + "\n" for name in ([kind] if kind else KINDS)}
+    texts = {name: json.dumps(schema_of(kinds[name], name), indent=2) + "\n" for name in ([kind] if kind else kinds)}
     for name, text in texts.items():
         if out is None:
             typer.echo(text, nl=False)

@@ -26,6 +26,10 @@ def command(
         Path | None, typer.Option("--tree", metavar="FILE", help="Draw the mission tree into this SVG file.")
     ] = None,
     transcript: Annotated[bool, typer.Option("--transcript", help="Print the dialogue that built the tree.")] = False,
+    order: Annotated[
+        int | None,
+        typer.Option("--order", metavar="RANK", help="Print the topological order of each robot in an alternative."),
+    ] = None,
     as_json: options.AsJson = False,
     colour: options.Colour = None,
 ) -> int:
@@ -39,11 +43,29 @@ def command(
         save(tree, tree_svg(value.tree))
     if transcript:
         typer.echo("\n".join(value.provenance.transcript))
+    elif order is not None:
+        show(_order(value, order), colour)
     elif as_json:
         typer.echo(write_text(value, "plan"), nl=False)
     else:
         show(_view(plan, value), colour)
     return OUTCOMES[value.outcome]
+
+
+def _order(plan: Plan, rank: int) -> RenderableType:
+    """Each robot's actions in a topological order, as the paper gives them (section III-C): no clock, only what comes before what."""
+    from missiontree.reporting.text import orders_view
+    from missiontree.scheduling.precedence import order_by_robot, task_graph
+
+    alternatives = plan.ranking.alternatives if plan.ranking else ()
+    if plan.grounding is None or not 1 <= rank <= len(alternatives):
+        ranks = f"1 to {len(alternatives)}" if alternatives else "the plan has no alternatives"
+        raise InputError(f"--order {rank}", accepted=ranks)
+    tree, alternative = plan.grounding.tree, alternatives[rank - 1]
+    assigned = next((one.assignments for one in plan.schedules if one.rank == rank), ()) or alternative.witness
+    robots = {filled.role: filled.robot_type for filled in alternative.roles}
+    robots |= {filled.role: filled.robot for filled in assigned}
+    return orders_view(tree, order_by_robot(task_graph(tree, alternative.choices), robots))
 
 
 def _view(path: Path, plan: Plan) -> RenderableType:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from io import StringIO
 
@@ -257,6 +257,15 @@ def team_lines(tree: GroundedTree, alternative: Alternative, plan: Plan, best: A
     if len(lines) > MAX_TEAM + 1:
         lines = [*lines[:MAX_TEAM], f"… and {len(lines) - MAX_TEAM} more roles"]
     return lines
+
+
+def orders_view(tree: GroundedTree, orders: Mapping[str, Sequence[int]]) -> Group:
+    """Each robot with its actions in order, a line per action."""
+    lines: list[Text] = []
+    for robot, leaves in orders.items():
+        lines.append(words(robot, "cyan"))
+        lines += [words(f"{number:>4}. {tree.action(leaf).text}") for number, leaf in enumerate(leaves, start=1)]
+    return Group(*lines)
 
 
 def findings_view(findings: Iterable[Reason]) -> Group:
