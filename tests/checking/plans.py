@@ -9,8 +9,9 @@ from missiontree.formats.inputs import input_digests
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.control import Control
 from missiontree.mission.fleet import Fleet, Robot, RobotType
-from missiontree.mission.plan import Plan, Provenance
+from missiontree.mission.plan import Outcome, Plan, Provenance
 from missiontree.mission.position import Position
+from missiontree.mission.reason import Reason
 from missiontree.mission.routine import ActionStep, Argument, Branch, Need, RoleSpec, Routine, RoutineLibrary
 from missiontree.mission.scene import (
     Area,
@@ -30,6 +31,7 @@ from missiontree.routines.library import built_in
 from missiontree.scheduling import SCHEDULERS
 from tests.builders import brief_of, flat_tree, rescue_tree, reunite_tree, routine_node
 
+NOTHING_FOUND = Reason(rule="nothing_found", message="Nothing was found in the time given.")
 THINGS = ("object", "person", "animal")
 
 
@@ -42,16 +44,24 @@ def made(tree: MissionTree, brief: MissionBrief, k: int = 4, allocator: str = "e
         SCHEDULERS["greedy"](grounding.tree, alternative, brief.fleet, scene, Control())
         for alternative in ranking.alternatives
     )
+    complete = ranking.status == "exact" and ranking.certificate.bound is None
+    impossible = complete and all(schedule.status == "infeasible" for schedule in schedules)
+    undelivered: Outcome = "cannot_be_done" if impossible or ranking.status == "infeasible" else "exhausted"
     works = any(schedule.status in {"optimal", "feasible"} for schedule in schedules)
     reasons = tuple(reason for schedule in schedules for reason in schedule.reasons) + ranking.reasons
     return Plan(
-        outcome="delivered" if works else "cannot_be_done",
+        outcome="delivered" if works else undelivered,
         brief=brief,
         tree=tree,
         grounding=grounding,
         ranking=ranking,
         schedules=schedules,
-        reasons=() if works else reasons + grounding.not_offered,
+        reasons=() if works else reasons + grounding.not_offered or (NOTHING_FOUND,),
+        notices=grounding.notices,
+        assumptions=tuple(
+            dict.fromkeys([*grounding.assumptions, *(one for schedule in schedules for one in schedule.assumptions)])
+        ),
+        findings=grounding.findings,
         digests=input_digests(brief, tree),
         provenance=Provenance(author="given"),
     )

@@ -22,8 +22,8 @@ from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
 from missiontree.routines.library import built_in
 from tests.builders import and_, grounded, leaf, xor_
 
-PROVEN = Certificate(claim="proven", method="hand")
-BOUNDED = Certificate(claim="bounded", method="hand", bound=0.0)
+PROVEN = Certificate(claim="proven", method="enumeration")
+BOUNDED = Certificate(claim="bounded", method="critical_path", bound=0.0)
 HERE, THERE, FAR = Position(0, 0), Position(10, 0), Position(10, 20)
 SCENE = Scene(
     places=(Entity(id="there", kind="place", position=THERE), Entity(id="far", kind="place", position=FAR)),

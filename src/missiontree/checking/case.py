@@ -9,6 +9,9 @@ from missiontree.checking.fault import Fault
 from missiontree.checking.staffing import Staffing
 from missiontree.checking.timetable import Timetable
 from missiontree.checking.ways import Ways
+from missiontree.errors import InputError
+from missiontree.formats.digest import digest
+from missiontree.llm.recording import Recording, read_recording
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree, Grounding
 from missiontree.mission.plan import Plan
@@ -99,6 +102,20 @@ class Case:
             for schedule in self.plan.schedules
             if schedule.status in WORKING and schedule.rank in by_rank
         )
+
+    @cached_property
+    def recording(self) -> Recording | str | None:
+        """The dialogue that built the tree, read; why it cannot be read; None if there is none."""
+        lines = self.plan.provenance.transcript
+        try:
+            return read_recording(lines) if lines else None
+        except InputError as error:
+            return str(error)
+
+    @cached_property
+    def same_inputs(self) -> bool:
+        """Whether the dialogue was held about the plan's own mission and inputs."""
+        return isinstance(self.recording, Recording) and self.recording.mission == digest(self.plan.brief)
 
     @cached_property
     def ways(self) -> Ways:

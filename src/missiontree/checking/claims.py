@@ -69,36 +69,49 @@ def bound_below_utility(case: Case) -> Iterator[Fault]:
 
 def claim_refuted(case: Case) -> Iterator[Fault]:
     """In a small tree, all alternatives written out show that a proven rank, a bound or an impossibility is false."""
+    verdict = judge(case)
+    if isinstance(verdict, Fault):
+        yield verdict
+
+
+def judge(case: Case) -> Fault | bool:
+    """What all alternatives written out say of the claims: refuted, borne out (true), or more than can be told (false)."""
     ranking = case.plan.ranking
     if ranking is None or not _claims(ranking):
-        return
+        return True
     truth = best_first(case)
     weights = case.plan.brief.weights
     listed = [frozenset(staffing.taken.items()) for staffing in case.staffings]
     for staffing, choices in zip(case.staffings, listed, strict=True):
         needed = next(truth, END)
         if needed is None or staffing.alternative.certificate.claim != "proven":
-            return  # nothing is claimed of this rank and of those below it, or nothing can be told
+            return needed is not None  # nothing is claimed of this rank and of those below it, or nothing can be told
         if isinstance(needed, str) or frozenset(needed.taken.items()) != choices:
             found = f"utility {staffing.alternative.utility:g}"
             better = needed if isinstance(needed, str) else f"an alternative of utility {_utility(needed, weights):g}"
-            yield Fault(
+            return Fault(
                 f"alternative {staffing.alternative.rank} of {found} is called proven, and its rank belongs to {better}.",
                 found=found,
                 needed=better,
             )
-            return
     unlisted = next(truth, END)
     if unlisted is None or isinstance(unlisted, str):
-        return
+        return unlisted is not None
     best, bound = _utility(unlisted, weights), ranking.certificate.bound
     if ranking.status == "infeasible" or (bound is not None and best > bound + 1e-6):
         found = "infeasible" if ranking.status == "infeasible" else f"bound {bound:g}"
-        yield Fault(
+        return Fault(
             f"the ranking claims {found}, and there is an unlisted alternative of utility {best:g}.",
             found=found,
             needed=f"at least {best:g}",
         )
+    if bound is None and ranking.status == "exact" and ranking.certificate.claim == "proven":
+        return Fault(
+            f"the ranking claims that there are no more alternatives, and there is an unlisted one of utility {best:g}.",
+            found="no bound on what is not listed",
+            needed=f"a bound of at least {best:g}",
+        )
+    return True
 
 
 def _utility(staffing: Staffing, weights: Weights) -> float:

@@ -7,6 +7,12 @@ from itertools import zip_longest
 
 from missiontree.checking.case import WORKING, Case
 from missiontree.checking.fault import Fault
+from missiontree.checking.provenance import GIVEN
+from missiontree.llm.recording import Recording
+from missiontree.mission.reason import Reason
+
+NOTHING_FOUND = "nothing_found"
+"""Rule of the reason that time was up before anything was found or excluded."""
 
 
 def nothing_delivered(case: Case) -> Iterator[Fault]:
@@ -29,6 +35,85 @@ def delivered_unsaid(case: Case) -> Iterator[Fault]:
                 found=case.plan.outcome,
                 needed="delivered",
             )
+
+
+def impossibility_unproven(case: Case) -> Iterator[Fault]:
+    """A mission is said to be impossible, and nothing in the plan shows it: no proof of ranking or schedules, no dialogue that ends so."""
+    plan, ranking = case.plan, case.plan.ranking
+    if plan.outcome != "cannot_be_done":
+        return
+    if ranking is None:
+        judged_anew = isinstance(case.recording, Recording) and not case.same_inputs
+        shown = plan.grounding is None and (_ends_with(case) == "cannot_be_done" or judged_anew)
+    elif ranking.status == "infeasible":
+        shown = ranking.certificate.claim == "proven"
+    else:
+        complete = ranking.status == "exact" and ranking.certificate.bound is None
+        shown = complete and all(schedule.status == "infeasible" for schedule in plan.schedules)
+    if not shown:
+        yield Fault(
+            "the plan says that the mission cannot be done, and holds no proof of it.",
+            found="no proof",
+            needed="a ranking proven infeasible, all alternatives listed and unschedulable, or a dialogue that ends so",
+        )
+
+
+def outcome_contradicted(case: Case) -> Iterator[Fault]:
+    """The outcome is not the one that authoring ended with, or belongs to a plan without a tree over the fleet and has one."""
+    plan, ended = case.plan, _ends_with(case)
+    if plan.grounding is not None:
+        fits = plan.outcome in {"delivered", "cannot_be_done", "exhausted"} and ended in {"", "complete"}
+        needed = "what ranking and schedules came to"
+    elif plan.provenance.author == GIVEN:
+        fits, needed = plan.outcome == "incomplete", "incomplete"
+    else:
+        fits, needed = ended in {"", "complete", plan.outcome}, ended
+    if not fits:
+        yield Fault(
+            f"the outcome is {plan.outcome}, and the tree was {ended or 'given'}.",
+            found=plan.outcome,
+            needed=needed,
+        )
+
+
+def reason_invented(case: Case) -> Iterator[Fault]:
+    """A reason for not delivering is none that ranking, schedules, grounding or dialogue give."""
+    plan = case.plan
+    known = _known_reasons(case)
+    for reason in plan.reasons if known is not None else ():
+        if (
+            known is not None
+            and reason not in known
+            and not (plan.outcome == "exhausted" and reason.rule == NOTHING_FOUND)
+        ):
+            yield Fault(
+                f"nothing in the plan gives the reason: {reason.message}",
+                node=reason.node,
+                robot=reason.robot,
+                found=reason.rule,
+                needed="a reason of the ranking, a schedule, the grounding or the dialogue",
+            )
+
+
+def _known_reasons(case: Case) -> set[Reason] | None:
+    """Reasons that stand behind an outcome; None where they cannot be told from the plan."""
+    plan = case.plan
+    if plan.grounding is not None:
+        scheduled = [reason for schedule in plan.schedules for reason in schedule.reasons]
+        return {*(plan.ranking.reasons if plan.ranking else ()), *scheduled, *plan.grounding.not_offered}
+    if not isinstance(case.recording, Recording) or not case.same_inputs or _ends_with(case) == "complete":
+        return None
+    try:
+        return {Reason(**plain) for plain in case.recording.end["reasons"]}
+    except (TypeError, ValueError):
+        return set()  # no reasons at all, whatever they are
+
+
+def _ends_with(case: Case) -> str:
+    """What the dialogue came to; empty if there is none, or if it was held about something else."""
+    if not isinstance(case.recording, Recording) or not case.same_inputs:
+        return ""
+    return str(case.recording.end["status"])
 
 
 def reason_missing(case: Case) -> Iterator[Fault]:

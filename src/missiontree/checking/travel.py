@@ -110,7 +110,7 @@ def leg_without_way(case: Case) -> Iterator[Fault]:
 
 
 def leg_too_fast(case: Case) -> Iterator[Fault]:
-    """A leg takes less time than the quickest way, than the way that it names, or than its own metres at the speed of the robot and of what it brings."""
+    """A leg takes less time than the quickest way, the way it names, or its metres at the speed of the robot and of what it brings."""
     for made in _travelled(case):
         speed = _speed(case, made)
         found = tick(made.leg.end_s) - tick(made.leg.start_s)

@@ -1,0 +1,201 @@
+"""
+A bound of the checker's own: no schedule of an alternative can be shorter, by design alone and by the checker's own distances.
+
+Two plain arguments. *Critical path*: actions of a role, of a precedence and of an until link follow each other, with the travel
+that is certain between them, and none starts before the nearest robot of its type can be there. *Load*: robots take one role at a
+time, so the roles of a type fill at least their sum shared among its robots, after the earliest start and before the least that
+must still follow.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from itertools import pairwise
+
+from missiontree.checking.case import Case
+from missiontree.checking.clock import ticks_needed
+from missiontree.checking.haunts import Haunts
+from missiontree.checking.journeys import Spot
+from missiontree.checking.timetable import Timetable
+from missiontree.mission.fleet import RobotType
+from missiontree.mission.grounded import Action
+
+MOST_WAYS = 2500
+"""Pairs of points between which the least way is sought for one action, beyond which travel is counted as nothing."""
+
+
+def least_makespan(case: Case, timetable: Timetable) -> int:
+    """Ticks below which no schedule of the timetable's alternative can be; 0 if its order is circular."""
+    kinds = timetable.staffing.type_of_role.values()
+    if any(action.robot_type not in case.fleet.by_id for action in timetable.staffing.actions.values()) or not kinds:
+        return 0
+    return _Bound(case, timetable).ticks()
+
+
+class _Bound:
+    """Events are the starts and ends of groups of joint actions, and gates between two nodes of a link."""
+
+    def __init__(self, case: Case, timetable: Timetable) -> None:
+        self._case, self._staffing = case, timetable.staffing
+        self._actions = timetable.staffing.actions
+        self._haunts = Haunts(case, timetable)
+        self._group = {leaf: ("alone", leaf) for leaf in self._actions}
+        for sync, leaves in self._staffing.joint.items():
+            self._group |= dict.fromkeys(leaves, ("joint", sync))
+        self._stretched = {
+            leaf
+            for bond in self._staffing.bonds
+            if bond.kind == "until"
+            for leaf in bond.first_leaves
+            if self._actions[leaf].open_ended
+        }
+        self._before = {
+            later: earlier for leaves in self._staffing.leaves_of_role.values() for earlier, later in pairwise(leaves)
+        }
+        self._after: dict[object, list[tuple[object, int]]] = {}
+        self._release: dict[object, int] = {}
+        self._wait = {leaf: self._travel(leaf) for leaf in self._actions}
+        self._length = self._lengths()
+        self._draw()
+
+    def ticks(self) -> int:
+        """The larger of both bounds."""
+        order = self._order()
+        if order is None:
+            return 0
+        heads = {event: self._release.get(event, 0) for event in order}
+        for event in order:
+            for later, weight in self._after[event]:
+                heads[later] = max(heads[later], heads[event] + weight)
+        tails = dict.fromkeys(order, 0)
+        for event in reversed(order):
+            tails[event] = max((weight + tails[later] for later, weight in self._after[event]), default=0)
+        return max(max(heads.values(), default=0), self._load(heads, tails))
+
+    def _start(self, leaf: int) -> object:
+        return ("start", self._group[leaf])
+
+    def _end(self, leaf: int) -> object:
+        return ("end", self._group[leaf])
+
+    def _add(self, event: object, later: object, weight: int = 0) -> None:
+        self._after.setdefault(event, []).append((later, weight))
+        self._after.setdefault(later, [])
+
+    def _draw(self) -> None:
+        for leaf, action in self._actions.items():
+            self._add(self._start(leaf), self._end(leaf), self._length[self._group[leaf]])
+            there = self._end(leaf) if action.moves else self._start(leaf)
+            self._release[there] = max(self._release.get(there, 0), self._arrival(action, leaf))
+        for later, earlier in self._before.items():
+            weight = 0 if self._actions[later].moves else self._wait[later]
+            self._add(self._end(earlier), self._start(later), weight)
+        for number, bond in enumerate(self._staffing.bonds):
+            gate = ("gate", number)
+            if bond.kind == "precedence":
+                for leaf in bond.first_leaves:
+                    self._add(self._end(leaf), gate)
+                for leaf in bond.second_leaves:
+                    self._add(gate, self._start(leaf))
+            elif bond.kind == "until":
+                for leaf in bond.second_leaves:
+                    self._add(self._end(leaf), gate)
+                for leaf in self._stretched.intersection(bond.first_leaves):
+                    self._add(gate, self._end(leaf))
+
+    def _lengths(self) -> dict[tuple[str, int], int]:
+        """Least ticks of every group of joint actions: the longest of its actions."""
+        lengths: dict[tuple[str, int], int] = {}
+        for leaf, action in self._actions.items():
+            own = self._wait[leaf] if action.moves else ticks_needed(action.duration_s)
+            own = 1 if leaf in self._stretched else own
+            lengths[self._group[leaf]] = max(lengths.get(self._group[leaf], 0), own)
+        return lengths
+
+    def _travel(self, leaf: int) -> int:
+        """Least ticks of a move, or of the way to an action from where its role was before."""
+        action, there = self._actions[leaf], self._haunts.of_leaf(leaf)
+        here = self._here(leaf)
+        if here is None:  # the first of its role: the robot may have got there before
+            return self._nominal(action) if there == {None} else 0
+        if action.at is None or len(here) * len(there) > MOST_WAYS:
+            return 0
+        return min(self._way(action, origin, goal) for origin in here for goal in there)
+
+    def _here(self, leaf: int) -> frozenset[Spot] | None:
+        """Where a robot may be after what its role did before an action; None if its role did nothing anywhere yet."""
+        earlier = self._before.get(leaf)
+        while earlier is not None:
+            if self._actions[earlier].at is not None or self._actions[earlier].moves:
+                return self._haunts.of_leaf(earlier)
+            earlier = self._before.get(earlier)
+        return None
+
+    def _way(self, action: Action, origin: Spot, goal: Spot) -> int:
+        kind = self._case.fleet.by_id[action.robot_type]
+        speed = _speed(self._case, kind, action)
+        if origin is None or goal is None or speed is None:
+            return self._nominal(action)
+        seconds = self._case.ways.quickest_s(kind, origin, goal, speed)
+        return ticks_needed(seconds) if math.isfinite(seconds) else 0
+
+    def _nominal(self, action: Action) -> int:
+        return ticks_needed(action.duration_s) if action.moves else 0
+
+    def _arrival(self, action: Action, leaf: int) -> int:
+        """Ticks before which no robot of the type can be where an action is; 0 if a robot of it may be anywhere."""
+        kind = self._case.fleet.by_id[action.robot_type]
+        speed = kind.limits.get("max_speed_mps")
+        starts, there = self._haunts.starts(kind.id), self._haunts.of_leaf(leaf)
+        if (
+            action.at is None
+            or speed is None
+            or None in self._haunts.of_type(kind.id) | there
+            or len(starts) * len(there) > MOST_WAYS
+        ):
+            return 0
+        seconds = [
+            self._case.ways.quickest_s(kind, origin, goal, speed)
+            for origin in starts
+            for goal in there
+            if origin is not None and goal is not None
+        ]
+        least = min(seconds, default=0.0)
+        return ticks_needed(least) if math.isfinite(least) else 0
+
+    def _order(self) -> list[object] | None:
+        missing = Counter(later for successors in self._after.values() for later, _ in successors)
+        order = [event for event in self._after if not missing[event]]
+        for event in order:
+            for later, _ in self._after[event]:
+                missing[later] -= 1
+                if not missing[later]:
+                    order.append(later)
+        return order if len(order) == len(self._after) else None
+
+    def _load(self, heads: dict[object, int], tails: dict[object, int]) -> int:
+        """The largest, over robot types and over earliest starts, of start + work of the roles not before it, shared + what follows."""
+        pieces: dict[str, list[tuple[int, int, int]]] = {}
+        for role, leaves in self._staffing.leaves_of_role.items():
+            lag = sum(self._wait[leaf] for leaf in leaves[1:] if not self._actions[leaf].moves)
+            work = lag + sum(self._length[self._group[leaf]] for leaf in leaves)
+            piece = (heads[self._start(leaves[0])], work, tails[self._end(leaves[-1])])
+            pieces.setdefault(self._staffing.type_of_role[role], []).append(piece)
+        least = 0
+        for type_id, own in pieces.items():
+            robots = len(self._case.fleet.by_id[type_id].members)
+            for head in {start for start, _, _ in own[:MOST_WAYS]}:
+                work = 0
+                for _, length, tail in sorted((one for one in own if one[0] >= head), key=lambda one: -one[2]):
+                    work += length
+                    least = max(least, head - (-work // robots) + tail)
+        return least
+
+
+def _speed(case: Case, kind: RobotType, action: Action) -> float | None:
+    own = kind.limits.get("max_speed_mps")
+    if own is None:
+        return None
+    brought = (case.scene.by_id.get(name) for name in action.brings)
+    return min([own, *(one.max_speed_mps for one in brought if one is not None and one.max_speed_mps is not None)])

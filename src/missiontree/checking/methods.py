@@ -1,0 +1,13 @@
+"""The methods of proof that missiontree documents. A claim by any other is no claim that anybody can judge."""
+
+RANKING_PROOFS = frozenset({"lazy_k_best", "enumeration", "algorithm_1", "least_use"})
+"""How alternatives are ranked, and shown to be none."""
+
+BOUND_PROOFS = frozenset({"critical_path", "load"})
+"""Why no schedule is shorter."""
+
+IMPOSSIBILITY_PROOFS = frozenset({"precedence", "staffing", "holding", "reachability", "budget_bound"})
+"""Why there is no schedule."""
+
+SEARCHES = frozenset({"serial_generation"})
+"""How schedules are looked for; such a method proves nothing."""

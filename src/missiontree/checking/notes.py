@@ -1,0 +1,61 @@
+"""Does the plan say all that was taken for granted, changed and warned of?"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from missiontree.checking.case import Case
+from missiontree.checking.fault import Fault, named
+from missiontree.checking.journeys import journeys
+from missiontree.checking.timetable import Timetable
+from missiontree.checking.ways import apart_m
+
+
+def note_dropped(case: Case) -> Iterator[Fault]:
+    """An assumption, a notice or a finding of grounding, or an assumption of a schedule, does not stand in the plan's own list."""
+    plan, grounding = case.plan, case.plan.grounding
+    scheduled = [reason for schedule in plan.schedules for reason in schedule.assumptions]
+    lists = (
+        ("assumptions", plan.assumptions, [*(grounding.assumptions if grounding else ()), *scheduled]),
+        ("notices", plan.notices, grounding.notices if grounding else ()),
+        ("findings", plan.findings, grounding.findings if grounding else ()),
+    )
+    for what, said, needed in lists:
+        dropped = [reason for reason in dict.fromkeys(needed) if reason not in said]
+        if dropped:
+            yield Fault(
+                f"the plan leaves out {len(dropped)} of its {what}; the first is: {dropped[0].message}",
+                node=dropped[0].node,
+                robot=dropped[0].robot,
+                found=f"{len(said)} {what}",
+                needed=dropped[0].message,
+            )
+
+
+def assumption_missing(case: Case) -> Iterator[Fault]:
+    """A schedule counts no travel for a robot whose place, or for a type whose speed, is not known, and does not say so."""
+    for timetable in case.timetables:
+        said = {reason.robot for reason in timetable.schedule.assumptions}
+        for name, why, leaf in _guesses(case, timetable):
+            if name not in said:
+                said.add(name)
+                yield Fault(
+                    f"schedule {timetable.schedule.rank} does not say that {why} is not known.",
+                    node=named(timetable.tree, leaf),
+                    robot=name,
+                    found="no assumption",
+                    needed="an assumption that names it",
+                )
+
+
+def _guesses(case: Case, timetable: Timetable) -> Iterator[tuple[str, str, int]]:
+    """Robot or type, what is not known of it, and the action for which that counts."""
+    for journey in journeys(case, timetable):
+        deed, goals = journey.deed, [goal for goal in journey.goals if goal is not None]
+        kind = case.fleet.type_of.get(deed.robot)
+        if kind is None or len(goals) != len(journey.goals):
+            continue
+        if journey.origin is None:
+            yield deed.robot, f"where {deed.robot} comes from", deed.leaf
+        elif "max_speed_mps" not in kind.limits and min(apart_m(journey.origin, goal) for goal in goals) > 1e-3:
+            yield kind.id, f"how fast {kind.label or kind.id} travels", deed.leaf

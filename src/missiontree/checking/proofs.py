@@ -1,0 +1,74 @@
+"""Is every claim of proof one that can be judged, and does it stand beside the checker's own bound?"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+
+from missiontree.checking.case import Case
+from missiontree.checking.clock import TOLERANCE, shown, tick
+from missiontree.checking.fault import Fault
+from missiontree.checking.haunts import ANYWHERE, Haunts
+from missiontree.checking.lower_bound import least_makespan
+from missiontree.checking.methods import BOUND_PROOFS, IMPOSSIBILITY_PROOFS, RANKING_PROOFS, SEARCHES
+from missiontree.checking.timetable import Timetable
+from missiontree.mission.certificate import Certificate
+from missiontree.mission.schedule import Schedule
+
+
+def claim_unfounded(case: Case) -> Iterator[Fault]:
+    """A claim rests on a method that nobody documents; or the checker's own bound shows that a schedule is not proven least."""
+    for about, certificate, methods in _certificates(case):
+        if certificate.method not in methods:
+            yield Fault(
+                f"what is claimed of {about} rests on the method {certificate.method}, which is not a documented one.",
+                found=certificate.method,
+                needed=" or ".join(sorted(methods)),
+            )
+    for timetable in case.timetables:
+        claimed, own = claimed_bound(timetable.schedule), least_makespan(case, timetable)
+        if claimed > own + TOLERANCE and _own_is_as_strong(case, timetable):
+            yield Fault(
+                f"schedule {timetable.schedule.rank} claims that none is shorter than {shown(claimed)}; "
+                f"all that its actions and their order show is {shown(own)}.",
+                found=shown(claimed),
+                needed=f"at most {shown(own)}",
+            )
+
+
+def claimed_bound(schedule: Schedule) -> int:
+    """Ticks below which a schedule says that there is none; 0 if it says nothing."""
+    bound = schedule.certificate.bound
+    if schedule.status == "optimal":
+        return tick(schedule.makespan_s)
+    return tick(bound) if bound is not None else 0
+
+
+def _certificates(case: Case) -> Iterator[tuple[str, Certificate, frozenset[str]]]:
+    """Every certificate, with what it speaks of and the methods that may stand there."""
+    ranking = case.plan.ranking
+    if ranking is not None:
+        yield "the ranking", ranking.certificate, RANKING_PROOFS
+        for alternative in ranking.alternatives:
+            yield f"alternative {alternative.rank}", alternative.certificate, RANKING_PROOFS
+    for schedule in case.plan.schedules:
+        by_status = {"infeasible": IMPOSSIBILITY_PROOFS, "unknown": SEARCHES | BOUND_PROOFS}
+        yield f"schedule {schedule.rank}", schedule.certificate, by_status.get(schedule.status, BOUND_PROOFS)
+
+
+def _own_is_as_strong(case: Case, timetable: Timetable) -> bool:
+    """
+    Whether nothing but durations and order can make a schedule long, so that the checker's bound is the documented ones' equal.
+
+    That is so if no action has a place that is known, nothing waits for the end of something else, and no two roles must share
+    a robot.
+    """
+    staffing = timetable.staffing
+    haunts = Haunts(case, timetable)
+    roles = Counter(staffing.type_of_role.values())
+    return (
+        all(bond.kind == "precedence" for bond in staffing.bonds)
+        and all(haunts.of_leaf(leaf) == ANYWHERE for leaf in staffing.actions)
+        and not staffing.teams
+        and all(count == 1 or len(case.fleet.by_id[kind].members) >= count for kind, count in roles.items())
+    )

@@ -1,0 +1,89 @@
+"""What a plan claims and the checker can neither refute nor confirm: taken on the word of the solver, or of the author."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from missiontree.checking.case import WORKING, Case
+from missiontree.checking.claims import judge
+from missiontree.checking.clock import TOLERANCE, shown
+from missiontree.checking.lower_bound import least_makespan
+from missiontree.checking.proofs import claimed_bound
+from missiontree.mission.plan import Plan
+from missiontree.mission.reason import Reason
+
+
+def taken_on_trust(plan: Plan) -> tuple[Reason, ...]:
+    """
+    List the claims of a plan that its checker cannot confirm.
+
+    Parameters
+    ----------
+    plan
+        A plan, best one without findings.
+
+    Returns
+    -------
+    tuple of Reason
+        A notice for each such claim; empty if the checker confirms all of them.
+    """
+    case = Case(plan)
+    return (*_ranking(case), *_bounds(case), *_impossible(case), *_declared(case))
+
+
+def _ranking(case: Case) -> Iterator[Reason]:
+    ranking = case.plan.ranking
+    claimed = ranking is not None and ranking.status in {"exact", "infeasible"}
+    if ranking is not None and claimed and judge(case) is False:
+        what = "there is no alternative" if ranking.status == "infeasible" else "no better alternative is missing"
+        yield _notice(
+            "ranking_on_trust",
+            f"That {what} is taken on the allocator's word ({ranking.certificate.method}): there are too many to write out.",
+            ranking.certificate.method,
+        )
+
+
+def _bounds(case: Case) -> Iterator[Reason]:
+    for timetable in case.timetables:
+        schedule = timetable.schedule
+        claimed, own = claimed_bound(schedule), least_makespan(case, timetable)
+        if claimed > own + TOLERANCE:
+            what = "optimal" if schedule.status == "optimal" else f"at least {shown(claimed)} for all others"
+            yield _notice(
+                "bound_on_trust",
+                f"That schedule {schedule.rank} is {what} is taken on the scheduler's word ({schedule.certificate.method}): "
+                f"the checker's own bound is {shown(own)}.",
+                shown(claimed),
+                shown(own),
+            )
+
+
+def _impossible(case: Case) -> Iterator[Reason]:
+    for schedule in case.plan.schedules:
+        if schedule.status == "infeasible":
+            yield _notice(
+                "infeasibility_on_trust",
+                f"That alternative {schedule.rank} cannot be scheduled is taken on the scheduler's word "
+                f"({schedule.certificate.method}).",
+                schedule.certificate.method,
+            )
+        elif schedule.status not in WORKING and schedule.certificate.bound:
+            yield _notice(
+                "bound_on_trust",
+                f"That no schedule of alternative {schedule.rank} is shorter than {schedule.certificate.bound:g} s is taken on the "
+                "scheduler's word.",
+                f"{schedule.certificate.bound:g} s",
+            )
+
+
+def _declared(case: Case) -> Iterator[Reason]:
+    if case.plan.outcome == "cannot_be_done" and case.plan.ranking is None:
+        yield _notice(
+            "declaration_on_trust",
+            "That the mission cannot be done is taken on the word of the author, whose dialogue ends with it.",
+            case.plan.provenance.author,
+        )
+
+
+def _notice(rule: str, message: str, found: str, needed: str = "") -> Reason:
+    return Reason(rule=rule, message=message, severity="notice", found=found, needed=needed)
