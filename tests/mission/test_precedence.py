@@ -58,9 +58,28 @@ def test_until_the_end_of_what_waits_for_me_is_a_cycle() -> None:
     assert graph.closing_cycle(1, 2, "precedence") == [2, 1]
 
 
-def test_until_what_came_before_is_no_cycle() -> None:
+def test_until_what_came_before_is_a_cycle() -> None:
+    """2 must be under way when 1 ends, and cannot start before that."""
     graph = EventGraph(PARENTS, [(1, 2, "precedence")])
-    assert graph.closing_cycle(2, 1, "until") is None
+    assert graph.closing_cycle(2, 1, "until") == [1, 2]
+    graph = EventGraph(PARENTS, [(2, 1, "until")])
+    assert graph.closing_cycle(1, 2, "precedence") == [2, 1]
+
+
+def test_what_lasts_until_another_ends_starts_before_that_and_is_in_no_other_order_with_it() -> None:
+    graph = EventGraph(PARENTS, [(1, 2, "until")])
+    assert graph.cycle() is None
+    assert graph.path(start_of(1), end_of(2)) is not None
+    assert graph.path(end_of(2), end_of(1)) is not None
+    assert graph.path(start_of(1), start_of(2)) is None
+    assert graph.path(start_of(2), start_of(1)) is None
+
+
+def test_two_that_last_until_a_third_ends_cannot_be_one_after_the_other() -> None:
+    """3 and 4 are both under way when 5 ends; 3 before 4 would have 3 end before 4 starts, which is before 5 and so 3 end."""
+    graph = EventGraph(PARENTS, [(3, 5, "until"), (4, 5, "until")])
+    assert graph.cycle() is None
+    assert graph.closing_cycle(3, 4) == [4, 5, 3]
 
 
 def test_links_of_robots_order_nothing() -> None:

@@ -3,7 +3,8 @@ The order that links and containment impose, as a graph over the starts and ends
 
 A node starts with its earliest selected leaf and ends with its latest, so a precedence between inner nodes reaches every leaf
 below them. Events make this plain: ``start(parent) <= start(child)``, ``end(child) <= end(parent)``, ``end(a) <= start(b)`` for a
-precedence (a, b), and ``end(b) <= end(a)`` for "a until b". A cycle among events that passes a precedence cannot be kept.
+precedence (a, b); and for "a until b" both ``start(a) <= end(b)``, since a must be under way when b ends, and ``end(b) <= end(a)``.
+A cycle among events that passes a precedence or an until cannot be kept.
 """
 
 from __future__ import annotations
@@ -52,6 +53,7 @@ class EventGraph:
         if kind == "precedence":
             self._add(end_of(first), start_of(second))
         elif kind == "until":
+            self._add(start_of(first), end_of(second))
             self._add(end_of(second), end_of(first))
 
     def _add(self, before: int, after: int) -> None:
@@ -83,8 +85,9 @@ class EventGraph:
         if kind == "precedence":
             way = self.path(start_of(second), end_of(first))
         elif kind == "until":
-            way = self.path(end_of(first), end_of(second))
-            # "a until b" with b waiting for a's end: neither could ever end.
+            # Either b waits for a's end, and neither could ever end; or a waits for b's end, and could not be under way by then.
+            # A circle through both new orders would need a's end before a's start, and stand already.
+            way = self.path(end_of(first), end_of(second)) or self.path(end_of(second), start_of(first))
         else:
             way = None
         return None if way is None else list(dict.fromkeys(event // 2 for event in way))

@@ -91,10 +91,7 @@ class Itineraries:
             if isinstance(travel, Reason):
                 return travel
             travels.append(travel)
-            if position is not None or action.step.goes_to is not None:
-                robot.position, robot.certain, robot.started = position, certain, True
-            else:
-                robot.certain = False  # it may have gone to where nobody knows
+            robot.position, robot.certain, robot.started = position, certain, True
             brought |= {entities[name].id: (position, certain) for name in action.step.brings}
         return tuple(travels)
 

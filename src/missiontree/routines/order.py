@@ -2,12 +2,14 @@
 The order among routine nodes: what is given, and what must be added since one moves an entity that another uses.
 
 All added orders follow one line through the routine nodes that keeps every given order and, where those leave it free, the
-order of the tree. So they can never close a cycle, with each other or with what is given.
+order of the tree. So they can never close a cycle, with each other or with what is given. Nodes joined by an until link are
+meant to overlap: nothing is added between them, nor between what they contain.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
 
 from missiontree.errors import InputError
 from missiontree.mission.precedence import end_of, event_graph, start_of
@@ -33,6 +35,7 @@ class RoutineOrder:
     """
 
     def __init__(self, tree: MissionTree) -> None:
+        self._tree = tree
         self._graph = event_graph(tree)
         self.selection = CoSelection(tree)
         self.leaves = [index for index, node in enumerate(tree.nodes) if node.routine is not None]
@@ -40,10 +43,9 @@ class RoutineOrder:
         for before, successors in enumerate(self._graph.successors):
             for after in successors:
                 self._predecessors[after].append(before)
-        self._leaf_starts = {start_of(leaf) for leaf in self.leaves}
-        self._place = self._line(tree)
+        self._place = self._line()
 
-    def _line(self, tree: MissionTree) -> list[int]:
+    def _line(self) -> list[int]:
         """Place of each event on the line: first what must come before it, depth first."""
         place = [-1] * len(self._predecessors)
         open_now: set[int] = set()
@@ -56,31 +58,29 @@ class RoutineOrder:
                 if place[event] >= 0:
                     stack.pop()
                     continue
-                waiting = [before for before in self._before(event) if place[before] < 0]
+                waiting = [before for before in self._predecessors[event] if place[before] < 0]
                 if waiting:
                     if event in open_now:
-                        self._refuse_cycle(tree)
+                        self._refuse_cycle()
                     open_now.add(event)
-                    stack += sorted(waiting, reverse=True)
+                    stack += sorted(waiting, key=lambda before: self._urgency(before, event), reverse=True)
                     continue
                 place[event] = count
                 count += 1
                 stack.pop()
         return place
 
-    def _before(self, event: int) -> list[int]:
+    @staticmethod
+    def _urgency(before: int, event: int) -> tuple[int, int]:
         """
-        What comes before an event. A routine starts after all that its end waits for, so that its end can follow at once: then
-        two routines on the line are one after the other, never one inside the other. Since only the end follows a routine's
-        start, this closes no cycle that is not there.
+        What to place first of all that an event waits for. An end waits for other starts only by an until link; they come last, so
+        that what lasts until another ends begins as late on the line as it may, and what that other waits for stands before it.
         """
-        before = self._predecessors[event]
-        if event in self._leaf_starts:
-            return before + [each for each in self._predecessors[event + 1] if each != event]
-        return before
+        late = event % 2 and not before % 2
+        return (1 + (before != event - 1) if late else 0), before
 
-    def _refuse_cycle(self, tree: MissionTree) -> None:
-        names = [tree.nodes[index].id for index in self._graph.cycle() or ()]
+    def _refuse_cycle(self) -> None:
+        names = [self._tree.nodes[index].id for index in self._graph.cycle() or ()]
         raise InputError(
             f"these nodes wait for each other: {' > '.join([*names, *names[:1]])}.",
             where="links",
@@ -119,10 +119,38 @@ class RoutineOrder:
                 seen.add(after)
                 stack.append(after)
 
-    def add(self, first: int, second: int) -> None:
-        """Add a precedence along the line."""
+    def add(self, first: int, second: int) -> bool:
+        """
+        Add a precedence; False, and nothing is added, if it would close a cycle.
+
+        Along the line it never does. Against it (two that overlap on the line, since an until link is there) the line is laid anew.
+        """
+        along = self._place[end_of(first)] < self._place[start_of(second)]
+        if not along and self._graph.closing_cycle(first, second) is not None:
+            return False
         self._graph.add_link(first, second)
         self._predecessors[start_of(second)].append(end_of(first))
+        if not along:
+            self._place = self._line()
+        return True
+
+    def overlap(self, first: int, second: int) -> bool:
+        """Whether an until link joins the two, or nodes that contain them."""
+        return any(
+            (one in self._above[first] and other in self._above[second])
+            or (one in self._above[second] and other in self._above[first])
+            for one, other in self._untils
+        )
+
+    @cached_property
+    def _untils(self) -> tuple[tuple[str, str], ...]:
+        return tuple((link.first, link.second) for link in self._tree.links if link.kind == "until")
+
+    @cached_property
+    def _above(self) -> dict[int, set[str]]:
+        """Each routine node and all that contain it."""
+        names = {leaf: self._tree.nodes[leaf].id for leaf in self.leaves}
+        return {leaf: {name, *self._tree.ancestors(name)} for leaf, name in names.items()}
 
 
 def order_moved(tree: MissionTree, calls: Mapping[str, Call], order: RoutineOrder) -> tuple[list[Link], list[Reason]]:
@@ -143,8 +171,12 @@ def order_moved(tree: MissionTree, calls: Mapping[str, Call], order: RoutineOrde
     links: list[Link] = []
     notices: list[Reason] = []
     for entity, moving in movers.items():
-        for first, second in _unordered(order.in_line(users[entity]), moving, order):
-            order.add(first, second)
+        for earlier, later in _unordered(order.in_line(users[entity]), moving, order):
+            first, second = earlier, later
+            if not order.add(first, second):
+                first, second = later, earlier
+                if not order.add(first, second):
+                    continue  # whatever comes first, until links keep both under way at once
             ends = tree.nodes[first], tree.nodes[second]
             links.append(Link(ends[0].id, ends[1].id))
             mover = ends[0] if first in moving else ends[1]
@@ -172,7 +204,11 @@ def _unordered(line: list[int], moving: set[int], order: RoutineOrder) -> Iterat
                 continue
             if order.selection.exclusive(first, second):
                 continue
-            if not order.precedes(first, second):
+            if order.overlap(first, second):
+                continue
+            ordered = order.precedes(first, second)
+            if not ordered and not order.precedes(second, first):
                 yield first, second
-            if first in moving and order.selection.implies(second, first):
+                ordered = order.precedes(first, second)
+            if ordered and first in moving and order.selection.implies(second, first):
                 break
