@@ -142,12 +142,14 @@ def _expected_status(truth: Ranking) -> str:
 
 
 def _exact_faults(case: Case, truth: Ranking) -> Iterator[tuple[str, str]]:
-    result = _run(ExactKBest(), case, case.k)
-    if _entries(result) != _entries(truth)[: case.k]:
-        yield "mismatch", f"exact lists {_entries(result)}, the oracle {_entries(truth)[: case.k]}"
-    if result.status != _expected_status(truth):
-        yield "mismatch", f"exact says {result.status}"
-    yield from _false_claims("exact", case, result, truth)
+    """As it comes, and with states of use from the first candidate on, which small trees would seldom need."""
+    for name, settings in (("exact", ExactKBest()), ("exact by states", ExactKBest(patience=0))):
+        result = _run(settings, case, case.k)
+        if _entries(result) != _entries(truth)[: case.k]:
+            yield "mismatch", f"{name} lists {_entries(result)}, the oracle {_entries(truth)[: case.k]}"
+        if result.status != _expected_status(truth):
+            yield "mismatch", f"{name} says {result.status}"
+        yield from _false_claims(name, case, result, truth)
 
 
 def _pruned_faults(case: Case, truth: Ranking, as_printed: bool) -> Iterator[tuple[str, str]]:
@@ -167,9 +169,26 @@ def _pruned_faults(case: Case, truth: Ranking, as_printed: bool) -> Iterator[tup
 
 
 def _limited_faults(case: Case, truth: Ranking) -> Iterator[tuple[str, str]]:
-    """What is claimed when the search is cut short, or packing is."""
-    for settings in (ExactKBest(max_examined=case.k % 7), ExactKBest(packing_steps=0), ExactKBest(packing_steps=3)):
-        yield from _false_claims(str(settings), case, _run(settings, case, case.k), truth)
+    """What is claimed and listed when the search is cut short, or packing is."""
+    few = case.k % 7
+    for settings in (
+        ExactKBest(max_examined=few),
+        ExactKBest(packing_steps=0),
+        ExactKBest(packing_steps=3),
+        ExactKBest(patience=0, max_examined=few + 1),
+        ExactKBest(patience=few, max_states=20, max_examined=2 * few + 1),
+    ):
+        result = _run(settings, case, case.k)
+        yield from _false_claims(str(settings), case, result, truth)
+        yield from _order_faults(str(settings), result, truth)
+
+
+def _order_faults(name: str, result: Ranking, truth: Ranking) -> Iterator[tuple[str, str]]:
+    """Feasible alternatives stand in the order of the oracle."""
+    position = {entry: rank for rank, entry in enumerate(_entries(truth))}
+    ranks = [position[entry] for entry in _entries(result) if entry in position]
+    if ranks != sorted(set(ranks)):
+        yield "mismatch", f"{name} lists {ranks}, which is out of order"
 
 
 def _false_claims(name: str, case: Case, result: Ranking, truth: Ranking) -> Iterator[tuple[str, str]]:
@@ -189,8 +208,9 @@ def _false_claims(name: str, case: Case, result: Ranking, truth: Ranking) -> Ite
     for rank, entry in enumerate(result.alternatives):
         if entry.certificate.claim == "proven" and true_list[rank : rank + 1] != [listed[rank]]:
             yield "false proof", f"{name} claims rank {rank + 1}"
-        if entry.certificate.claim == "bounded" and max(missing, default=entry.utility) > entry.utility:
-            yield "false proof", f"{name}: better than rank {rank + 1} is missing"
+        own_bound = entry.certificate.bound
+        if entry.certificate.claim == "bounded" and (own_bound is None or max(missing, default=own_bound) > own_bound):
+            yield "false proof", f"{name}: better than the bound of rank {rank + 1} is missing"
         if entry.certificate.claim != "unproven" and listed[rank] not in true_list:
             yield "false proof", f"{name} lists what is not feasible at rank {rank + 1}"
         if entry.witness and (broken := broken_rule(case, entry)):

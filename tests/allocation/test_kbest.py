@@ -6,7 +6,9 @@ from typing import Any
 
 import pytest
 
-from missiontree.allocation.kbest import REPORT_EVERY, ExactKBest
+from benchmarks.tied_budget import tied_mission
+from missiontree.allocation.kbest import ExactKBest
+from missiontree.allocation.search import REPORT_EVERY
 from missiontree.mission.alternative import Ranking, RoleType
 from missiontree.mission.control import Control, Progress
 from missiontree.mission.estimate import Weights
@@ -88,25 +90,71 @@ def test_an_impossible_mission_names_what_nobody_can_do() -> None:
     assert result.reasons[0].node == "nobody"
 
 
-def test_no_time_is_unknown_with_a_bound() -> None:
+def test_no_time_still_lists_what_a_few_sweeps_find() -> None:
     result = rank(binary_choices(3), control=Control(time_limit_s=0))
-    # Nothing was examined, and nothing is better than three times 1.
-    assert (result.status, result.alternatives, result.certificate.claim) == ("unknown", (), "bounded")
-    assert result.certificate.bound == 3.0
+    # Nothing was examined; three times 1 is the best there is, and nothing that is not listed is better than that.
+    assert (result.status, result.examined, result.certificate.claim) == ("partial", 0, "bounded")
+    assert (result.alternatives[0].utility, result.certificate.bound) == (3.0, 3.0)
+    assert all(alternative.certificate.claim == "bounded" for alternative in result.alternatives)
 
 
 def test_a_stop_token_keeps_what_was_found() -> None:
-    answers = iter([False, False, True])
-    result = rank(binary_choices(3), control=Control(stop=lambda: next(answers)))
-    # 3, then 2 three times: two are found, the next would have been 2.
-    assert [alternative.utility for alternative in result.alternatives] == [3.0, 2.0]
+    answers = iter([False, False])
+    result = rank(binary_choices(3), control=Control(stop=lambda: next(answers, True)))
+    # 3, then 2 three times: two are found and proven; the next would have been 2, and the pool has the other two.
+    assert [alternative.utility for alternative in result.alternatives] == [3.0, 2.0, 2.0, 2.0]
+    claims = [alternative.certificate.claim for alternative in result.alternatives]
+    assert claims == ["proven", "proven", "bounded", "bounded"]
     assert (result.status, result.certificate.claim, result.certificate.bound) == ("partial", "bounded", 2.0)
-    assert all(alternative.certificate.claim == "proven" for alternative in result.alternatives)
 
 
 def test_a_cap_on_candidates_stops_like_a_time_limit() -> None:
     result = ExactKBest(max_examined=1)(binary_choices(3), trivial_fleet(), Weights(), 4, Control())
     assert (result.status, result.examined, result.certificate.bound) == ("partial", 1, 2.0)
+    assert [alternative.certificate.claim for alternative in result.alternatives[:2]] == ["proven", "bounded"]
+
+
+@pytest.mark.parametrize("k", [4, 10])
+def test_countless_ties_above_a_budget(k: int) -> None:
+    """2**30 ways, of which those with more than three a are better than any that the budget allows."""
+    result = ExactKBest()(*tied_mission(30, {"a": 3}), Weights(), k, Control())
+    # Three times 1 and 27 times 0.9, in 4,060 ways, so k of them tie; by choice indices tasks 0, 1 and 2 take a first.
+    assert [alternative.utility for alternative in result.alternatives] == [27.3] * k
+    assert (result.status, result.certificate.bound) == ("exact", 27.3)
+    first = [place for place, choice in enumerate(result.alternatives[0].choices) if choice.child == choice.xor + 1]
+    second = [place for place, choice in enumerate(result.alternatives[1].choices) if choice.child == choice.xor + 1]
+    assert (first, second) == ([0, 1, 2], [0, 1, 3])
+
+
+def test_two_budgets_and_no_limit_of_time() -> None:
+    result = ExactKBest()(*tied_mission(60, {"a": 20, "b": 25}), Weights(), 4, Control())
+    # 20 + 25 * 0.9 + 15 * 0.8 = 54.5
+    assert ([entry.utility for entry in result.alternatives], result.status) == ([54.5] * 4, "exact")
+
+
+def test_without_states_the_pool_and_the_prices_speak() -> None:
+    """Too many states: 256 candidates, all refused, then the pool; prices know that nothing is better than 27.3."""
+    exact = ExactKBest(max_examined=300, max_states=0)
+    result = exact(*tied_mission(30, {"a": 3}), Weights(), 4, Control())
+    assert [alternative.utility for alternative in result.alternatives] == [27.3] * 4
+    assert (result.status, result.certificate.claim) == ("partial", "bounded")
+    # Steps in floats come near the best price, 0.1, and the plain stream alone would say 30 or 29.9.
+    assert result.certificate.bound is not None
+    assert 27.3 <= result.certificate.bound < 27.31
+
+
+def test_a_stop_among_the_states_keeps_what_they_proved() -> None:
+    result = ExactKBest(patience=0, max_examined=2)(*tied_mission(30, {"a": 3}), Weights(), 4, Control())
+    claims = [alternative.certificate.claim for alternative in result.alternatives]
+    assert (claims, result.examined) == (["proven", "proven", "bounded", "bounded"], 2)
+    assert (result.status, result.certificate.bound) == ("partial", 27.3)
+
+
+def test_never_silent_at_no_time_under_budgets() -> None:
+    result = ExactKBest()(*tied_mission(30, {"a": 3}), Weights(), 4, Control(time_limit_s=0))
+    assert result.status == "partial"
+    assert result.alternatives[0].utility <= 27.3 <= (result.certificate.bound or 0)
+    assert result.alternatives[0].witness[0].robot in {"a-1", "b-1"}
 
 
 def test_undecided_candidates_stay_and_say_so() -> None:

@@ -95,6 +95,14 @@ class Pruned:
         return _ranked(flat, ways, k, complete, control)
 
 
+def kept_ways(flat: Flat, rho: int, control: Control) -> list[Way]:
+    """What Algorithm 1 keeps of a tree that can be done, best first; none if it was ended before the root."""
+    try:
+        return _Combiner(flat, rho, Pruned(), control).ways_of_root()
+    except _Stopped:
+        return []
+
+
 class _Combiner:
     """The sweep from the leaves up."""
 
