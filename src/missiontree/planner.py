@@ -21,6 +21,7 @@ from missiontree.briefing import Request, request_from
 from missiontree.checking import check
 from missiontree.errors import InputError, InternalError
 from missiontree.formats.inputs import input_digests
+from missiontree.formats.source import load_text
 from missiontree.llm.chat import ChatModel
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.control import Control
@@ -140,11 +141,7 @@ def author(request: Request) -> Authored:
         return author_offline(request.brief, load_methods(request.methods))
     name, _, file = request.model.partition(":")
     if name == "recorded" and file:
-        try:
-            lines = Path(file).read_text(encoding="utf-8").splitlines()
-        except (OSError, UnicodeDecodeError) as error:
-            raise InputError("the transcript cannot be read", file=file, hint=str(error)) from error
-        return replay(lines, request.brief)
+        return replay(load_text(Path(file)).splitlines(), request.brief)
     raise InputError(
         f"there is no model {request.model!r}",
         accepted="offline, recorded:<file of a transcript>",
