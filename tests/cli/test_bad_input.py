@@ -72,7 +72,7 @@ def test_a_bad_file_is_named_with_what_is_wrong(
         (["plan", "Find the cat", "--weights", "1,-1"], 2, "at least 0"),
         (["plan", "Find the cat", "--weights", "nan"], 2, "finite"),
         (["plan", "Find the cat", "-k", "0"], 2, "at least 1"),
-        (["plan", "Find the cat", "-k", "many"], 2, "integer"),
+        (["plan", "Find the cat", "-k", "many"], 2, "a whole number is needed"),
         (["plan", "Find the cat", "--allocator", "best"], 2, "exact, pruned"),
         (["plan", "Find the cat", "--model", "oracle"], 2, "offline"),
         (["plan", "Find the cat", "--model", "recorded:none.jsonl"], 2, "none.jsonl"),

@@ -12,6 +12,11 @@ from missiontree.cli import check, compare, init, plan, schema, show
 from missiontree.cli.exits import Exit, guarded
 from missiontree.errors import InputError
 
+JARGON = {
+    "Input should be a valid integer, unable to parse string as an integer": "a whole number is needed.",
+    "Input should be a valid number, unable to parse string as a number": "a number is needed.",
+}
+
 app = typer.Typer(
     name="missiontree",
     help="From a sentence to a checked, ranked, scheduled plan for a mixed team of robots.",
@@ -49,6 +54,13 @@ def main() -> None:
     sys.exit(guarded(_run, debug="--debug" in sys.argv))
 
 
+def _plainly(message: str) -> str:
+    """The parser's message without its checker's jargon."""
+    for jargon, words in JARGON.items():
+        message = message.replace(jargon, words)
+    return message
+
+
 def _run() -> int:
     if len(sys.argv) == 1:
         sys.argv.append("--help")
@@ -56,7 +68,7 @@ def _run() -> int:
         code = app(standalone_mode=False)
     except typer.TyperException as error:
         raise InputError(
-            error.format_message(), hint="`missiontree COMMAND --help` lists what a command takes."
+            _plainly(error.format_message()), hint="`missiontree COMMAND --help` lists what a command takes."
         ) from error
     except typer.Abort as error:
         raise KeyboardInterrupt from error
