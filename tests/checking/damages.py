@@ -6,6 +6,7 @@ A kind of damage yields the plan damaged at one place after another. It yields n
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import pairwise
@@ -239,6 +240,87 @@ def precedence_reversed(plan: Plan) -> Iterator[Plan]:
     for link in plan.tree.links:
         if link.kind == "precedence":
             yield replace(plan, tree=replace(plan.tree, links=(*plan.tree.links, Link(link.second, link.first))))
+
+
+# The dialogue.
+
+
+def with_provenance(plan: Plan, **changes: Any) -> Plan:
+    return replace(plan, provenance=replace(plan.provenance, **changes))
+
+
+def with_header(plan: Plan, **changes: str) -> Plan:
+    lines = plan.provenance.transcript
+    header = json.dumps({**json.loads(lines[0]), **changes}, sort_keys=True, separators=(",", ":"))
+    return with_provenance(plan, transcript=(header, *lines[1:]))
+
+
+@breaks("transcript_missing")
+def transcript_dropped(plan: Plan) -> Iterator[Plan]:
+    if plan.provenance.transcript:
+        yield with_provenance(plan, transcript=())
+        yield with_provenance(plan, author="given")
+    else:
+        yield with_provenance(plan, author="offline")
+        yield with_provenance(plan, author="gpt", model="gpt")
+
+
+@breaks("transcript_damaged")
+def transcript_cut(plan: Plan) -> Iterator[Plan]:
+    lines = plan.provenance.transcript
+    if lines:
+        yield with_provenance(plan, transcript=lines[:-1])
+        yield with_provenance(plan, transcript=lines[1:])
+        yield with_provenance(plan, transcript=(*lines, lines[-1]))
+        yield with_provenance(plan, transcript=(*lines[:-1], "{"))
+
+
+@breaks("author_contradicted")
+def author_changed(plan: Plan) -> Iterator[Plan]:
+    yield with_provenance(plan, model="gpt")
+    if plan.provenance.transcript:
+        yield with_provenance(plan, author="gpt")
+        yield with_provenance(plan, author="gpt", model="gpt")
+        yield with_provenance(plan, author="recorded", model="gpt")
+        yield with_header(plan, source="gpt")
+        yield with_header(plan, model="gpt")
+
+
+@breaks("transcript_of_another_mission")
+def transcript_borrowed(plan: Plan) -> Iterator[Plan]:
+    if plan.provenance.transcript:
+        yield with_header(plan, mission="0" * 64)
+        yield with_provenance(with_header(plan, mission="0" * 64), author="recorded")
+
+
+# What is taken for granted.
+
+
+@breaks("note_dropped")
+def note_left_out(plan: Plan) -> Iterator[Plan]:
+    assert plan.grounding is not None
+    scheduled = [reason for schedule in plan.schedules for reason in schedule.assumptions]
+    needed = {
+        "assumptions": [*plan.grounding.assumptions, *scheduled],
+        "notices": plan.grounding.notices,
+        "findings": plan.grounding.findings,
+    }
+    for what, reasons in needed.items():
+        for dropped in dict.fromkeys(reasons):
+            left: Any = {what: tuple(reason for reason in getattr(plan, what) if reason != dropped)}
+            yield replace(plan, **left)
+        if reasons:
+            emptied: Any = {what: ()}
+            yield replace(plan, **emptied)
+
+
+@breaks("assumption_missing")
+def guess_concealed(plan: Plan) -> Iterator[Plan]:
+    """Everywhere: in the schedule and in the plan's own list."""
+    for place, schedule in schedules(plan):
+        for dropped in schedule.assumptions:
+            left = tuple(reason for reason in schedule.assumptions if reason.robot != dropped.robot)
+            yield replace(with_schedule(plan, place, assumptions=left), assumptions=left)
 
 
 # The tree over the fleet.
@@ -871,6 +953,15 @@ def open_end_missed(plan: Plan) -> Iterator[Plan]:
                 yield with_done(plan, place, number, end_s=round(done.end_s + shift_s, 3))
 
 
+@breaks("until_broken")
+def follower_too_late(plan: Plan) -> Iterator[Plan]:
+    """It follows for no time at all, at the end of what it was to follow until, or after it."""
+    for place, _, number, done in scheduled(plan):
+        if done.leaf in _until(plan, place):
+            yield with_done(plan, place, number, start_s=done.end_s)
+            yield with_done(plan, place, number, start_s=done.end_s + 5, end_s=done.end_s + 5)
+
+
 @breaks("robot_overlap")
 def two_roles_at_once(plan: Plan) -> Iterator[Plan]:
     """A role goes to a robot of the same type that is busy with another role at that time."""
@@ -917,6 +1008,14 @@ def role_within_a_role(plan: Plan) -> Iterator[Plan]:
 def leg_dropped(plan: Plan) -> Iterator[Plan]:
     for place, schedule, number, leg in travelled(plan):
         if leg.distance_m > 0.01:
+            yield with_schedule(plan, place, legs=without(schedule.legs, number))
+
+
+@breaks("leg_missing")
+def move_without_a_leg(plan: Plan) -> Iterator[Plan]:
+    """Even one of 0 m."""
+    for place, schedule, number, leg in travelled(plan):
+        if moves(plan, leg.leaf):
             yield with_schedule(plan, place, legs=without(schedule.legs, number))
 
 
@@ -996,6 +1095,17 @@ def leg_through_nothing(plan: Plan) -> Iterator[Plan]:
             yield with_leg(plan, place, number, distance_m=leg.distance_m * 0.9)
 
 
+@breaks("leg_via_broken")
+def leg_by_no_road(plan: Plan) -> Iterator[Plan]:
+    """The road nodes are left out, or the way leaves the road before its last node or joins it after its first."""
+    for place, _, number, leg in travelled(plan):
+        if leg.via:
+            yield with_leg(plan, place, number, via=())
+        if len(leg.via) > 1 and leg.origin != leg.destination:
+            yield with_leg(plan, place, number, via=leg.via[:-1], distance_m=leg.distance_m + 1000)
+            yield with_leg(plan, place, number, via=leg.via[1:], distance_m=leg.distance_m + 1000)
+
+
 @breaks("move_too_short")
 def blind_move_hurried(plan: Plan) -> Iterator[Plan]:
     for place, schedule, number, done in scheduled(plan):
@@ -1064,3 +1174,65 @@ def proof_of_the_merely_feasible(plan: Plan) -> Iterator[Plan]:
         plans = list(plan.schedules)
         plans[place] = replace(empty, certificate=replace(schedule.certificate, claim="unproven"))
         yield replace(plan, schedules=tuple(plans))
+
+
+@breaks("claim_unfounded")
+def proof_by_magic(plan: Plan) -> Iterator[Plan]:
+    """Every certificate, and a schedule that is called optimal by a method that nobody knows."""
+    ranking = plan.ranking
+    assert ranking is not None
+    yield with_ranking(plan, certificate=replace(ranking.certificate, method="magic"))
+    for place, alternative in alternatives(plan):
+        yield with_alternative(plan, place, certificate=replace(alternative.certificate, method="magic"))
+    for place, schedule in schedules(plan):
+        yield with_schedule(plan, place, certificate=replace(schedule.certificate, method="magic"))
+        proven = Certificate(claim="proven", method="magic", bound=schedule.makespan_s)
+        yield with_schedule(plan, place, status="optimal", certificate=proven)
+
+
+@breaks("claim_unfounded")
+def delay_called_optimal(plan: Plan) -> Iterator[Plan]:
+    """The last action is put off by 10 s, and the schedule is called optimal by a documented method; nobody travels."""
+    if plan.brief.scene is not None:
+        return
+    for place, schedule in schedules(plan):
+        last = max(schedule.actions, key=lambda done: (done.end_s, done.leaf))
+        number, end_s = schedule.actions.index(last), last.end_s + 10
+        late = with_done(plan, place, number, start_s=last.start_s + 10, end_s=end_s)
+        proven = Certificate(claim="proven", method="critical_path", bound=end_s)
+        yield with_schedule(late, place, status="optimal", makespan_s=end_s, certificate=proven)
+
+
+@breaks("impossibility_unproven")
+def impossibility_invented(plan: Plan) -> Iterator[Plan]:
+    """A mission that can be done is said to be impossible: with nothing to show, with schedules dropped, or half of it."""
+    bare = replace(plan, outcome="cannot_be_done", reasons=(WHY,), ranking=None, schedules=())
+    yield bare
+    yield replace(bare, grounding=None)
+    yield replace(bare, tree=None, grounding=None, digests={"brief": "0" * 64})
+    for place, schedule in schedules(plan):
+        idle = replace(
+            schedule,
+            status="infeasible",
+            certificate=Certificate(claim="proven", method="reachability"),
+            assignments=(),
+            actions=(),
+            legs=(),
+            makespan_s=0.0,
+            reasons=(WHY,),
+        )
+        others = [replace(idle, rank=other.rank) for other in plan.schedules]
+        others[place] = replace(idle, rank=schedule.rank, status="unknown")
+        yield replace(plan, outcome="cannot_be_done", reasons=(WHY,), schedules=tuple(others))
+
+
+@breaks("outcome_contradicted")
+def outcome_of_another_stage(plan: Plan) -> Iterator[Plan]:
+    for outcome in ("incomplete", "provider_failed"):
+        yield replace(plan, outcome=outcome, ranking=None, schedules=(), reasons=(WHY,))  # type: ignore[arg-type]
+
+
+@breaks("reason_invented")
+def reason_made_up(plan: Plan) -> Iterator[Plan]:
+    yield replace(plan, outcome="exhausted", ranking=None, schedules=(), reasons=(WHY,))
+    yield replace(plan, outcome="cannot_be_done", reasons=(WHY,))

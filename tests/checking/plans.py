@@ -26,6 +26,7 @@ from missiontree.mission.scene import (
     Zone,
 )
 from missiontree.mission.tree import Link, MissionNode, MissionTree
+from missiontree.planner import plan
 from missiontree.routines.ground import ground
 from missiontree.routines.library import built_in
 from missiontree.scheduling import SCHEDULERS
@@ -321,4 +322,45 @@ def maze() -> Plan:
     return made(tree, brief_of(tree, fleet, scene=scene))
 
 
-PLANS = {"reunite": reunite, "rescue": rescue, "yard": yard, "choices": choices, "floors": floors, "maze": maze}
+@cache
+def strays() -> Plan:
+    """Robots that nobody knows the start or the speed of, in a hall where everything else is known but for a lost key."""
+    tree = flat_tree(
+        routine_node("meet", "Reach", agent="guest"),
+        routine_node("bring", "Transport", agent="parcel", location="door"),
+        routine_node("find", "Search", agent="key"),
+        links=(Link("meet", "bring"),),
+    )
+    scene = Scene(
+        places=(Entity(id="door", kind="place", position=Position(30, 0)),),
+        entities=(
+            Entity(id="guest", kind="person", position=Position(10, 0)),
+            Entity(id="parcel", position=Position(20, 0)),
+            Entity(id="key"),
+        ),
+    )
+    fleet = Fleet(
+        (
+            RobotType(id="stray", capabilities={"reach": 1.0}, limits={"max_speed_mps": 1.0}, count=1),
+            RobotType(id="slow", capabilities={"carry": 1.0, "search": 1.0}, count=1, position=Position(0, 0)),
+        )
+    )
+    return made(tree, brief_of(tree, fleet, scene=scene), k=1)
+
+
+@cache
+def told() -> Plan:
+    """A mission in words, understood by the offline author: the plan holds the dialogue."""
+    return plan("Reunite mom with her lost child", k=2)
+
+
+PLANS = {
+    "reunite": reunite,
+    "rescue": rescue,
+    "yard": yard,
+    "choices": choices,
+    "floors": floors,
+    "maze": maze,
+    "strays": strays,
+    "told": told,
+}

@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 
-from missiontree.checking import check
+from missiontree.checking import check, taken_on_trust
 from missiontree.formats.inputs import input_digests
 from missiontree.mission.alternative import Alternative, Assignment, Choice, Ranking, RoleType
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.certificate import Certificate
-from missiontree.mission.fleet import Fleet, RobotType
+from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.grounded import GroundedTree, Grounding
 from missiontree.mission.plan import Plan, Provenance
 from missiontree.mission.position import Position
@@ -94,6 +94,16 @@ def plan_of(
     )
 
 
+def guessing(plan: Plan, *names: str) -> Plan:
+    """The plan with an assumption about each robot or type, in its schedule and in its own list."""
+    said = tuple(
+        Reason(rule="unknown", message=f"Something of {name} is not known.", severity="assumption", robot=name)
+        for name in names
+    )
+    schedules = tuple(replace(schedule, assumptions=said) for schedule in plan.schedules)
+    return replace(plan, schedules=schedules, assumptions=said)
+
+
 def only(plan: Plan) -> Reason:
     """The one finding."""
     findings = check(plan)
@@ -172,13 +182,32 @@ def test_joint_actions_take_the_longest_of_their_durations() -> None:
     assert only(plan_of(tree, times((1, "r-1", 1, 5), (2, "r-2", 0, 4)))).rule == "joint_broken"
 
 
+FOLLOW = grounded(and_(leaf("a", duration_s=3, open_ended=True), leaf("b", duration_s=4)), [("a", "b", "until")])
+
+
 def test_an_open_end_lasts_until_the_other_node_ends() -> None:
     """a until b, b from 0 to 4: a ends at 4, whatever its own 3 s."""
-    tree = grounded(and_(leaf("a", duration_s=3, open_ended=True), leaf("b", duration_s=4)), [("a", "b", "until")])
-    assert check(plan_of(tree, times((1, "r-1", 0, 4), (2, "r-2", 0, 4)))) == ()
-    assert only(plan_of(tree, times((1, "r-1", 0, 3), (2, "r-2", 0, 4)))).needed == "4 s"
-    # Started at 6, after b has ended: it ends at once.
-    assert check(plan_of(tree, times((1, "r-1", 6, 6), (2, "r-2", 0, 4)))) == ()
+    assert check(plan_of(FOLLOW, times((1, "r-1", 0, 4), (2, "r-2", 0, 4)))) == ()
+    finding = only(plan_of(FOLLOW, times((1, "r-1", 0, 3), (2, "r-2", 0, 4))))
+    assert (finding.rule, finding.found, finding.needed) == ("until_broken", "0 s to 3 s", "before 4 s, until 4 s")
+
+
+def test_following_takes_a_tick_at_least() -> None:
+    """b ends at 4: from 3.999 s a follows for one tick, from 4 s for none, from 6 s after it is all over."""
+    assert check(plan_of(FOLLOW, times((1, "r-1", 3.999, 4), (2, "r-2", 0, 4)))) == ()
+    assert only(plan_of(FOLLOW, times((1, "r-1", 4, 4), (2, "r-2", 0, 4)))).found == "4 s to 4 s"
+    assert only(plan_of(FOLLOW, times((1, "r-1", 6, 6), (2, "r-2", 0, 4)))).found == "6 s to 6 s"
+
+
+def test_following_several_lasts_until_the_last_of_them_ends() -> None:
+    """b ends at 4 and c at 9, so a lasts until 9; it may start at 5, when b is over and c is not."""
+    tree = grounded(
+        and_(leaf("a", duration_s=3, open_ended=True), leaf("b", duration_s=4), leaf("c", duration_s=9)),
+        [("a", "b", "until"), ("a", "c", "until")],
+    )
+    others = ((2, "r-2", 0.0, 4.0), (3, "r-3", 0.0, 9.0))
+    assert check(plan_of(tree, times((1, "r-1", 5, 9), *others), fleet=team(3))) == ()
+    assert only(plan_of(tree, times((1, "r-1", 0, 4), *others), fleet=team(3))).needed == "before 9 s, until 9 s"
 
 
 AT = grounded(and_(leaf("a", at="there", duration_s=3)))
@@ -258,8 +287,53 @@ def test_a_robot_that_starts_nobody_knows_where_travels_in_no_time() -> None:
     tree = grounded(and_(leaf("a", role="x", at="there", duration_s=3), leaf("b", role="x", at="far", duration_s=1)))
     fleet = team(position=None)
     actions = times((1, "r-1", 0, 3), (2, "r-1", 13, 14))
-    assert check(plan_of(tree, actions, leg(2, 3, 13, THERE, FAR, 20), fleet=fleet, scene=SCENE)) == ()
-    assert only(plan_of(tree, actions, fleet=fleet, scene=SCENE)).rule == "leg_missing"
+    way = leg(2, 3, 13, THERE, FAR, 20)
+    assert check(guessing(plan_of(tree, actions, way, fleet=fleet, scene=SCENE), "r-1")) == ()
+    assert only(guessing(plan_of(tree, actions, fleet=fleet, scene=SCENE), "r-1")).rule == "leg_missing"
+    # Where r-1 starts is taken for granted, and that must be said, in the schedule and in the plan's own list.
+    finding = only(plan_of(tree, actions, way, fleet=fleet, scene=SCENE))
+    assert (finding.rule, finding.node, finding.robot) == ("assumption_missing", "a [1]", "r-1")
+    said = guessing(plan_of(tree, actions, way, fleet=fleet, scene=SCENE), "r-1")
+    assert only(replace(said, assumptions=())).rule == "note_dropped"
+
+
+def test_a_robot_at_a_place_that_nobody_knows_is_nowhere_known_afterwards() -> None:
+    """From there it gets to "far" in no time, and a move takes its nominal 60 s; no way from its old place is any good."""
+    scene = replace(SCENE, entities=(*SCENE.entities, Entity(id="lost")))
+    tree = grounded(
+        and_(leaf("a", role="x", at="lost", duration_s=3), leaf("b", role="y", at="far", duration_s=1)), [("a", "b")]
+    )
+    actions = times((1, "r-1", 0, 3), (2, "r-1", 3, 4))
+    assert check(guessing(plan_of(tree, actions, scene=scene), "r-1")) == ()
+    assert only(plan_of(tree, actions, scene=scene)).rule == "assumption_missing"
+    # From (0, 0) to (10, 20): 22.361 m, at 2 m/s 11.181 s.
+    later = times((1, "r-1", 0, 3), (2, "r-1", 14.181, 15.181))
+    way = leg(2, 3, 14.181, HERE, FAR, 22.361)
+    assert only(guessing(plan_of(tree, later, way, scene=scene), "r-1")).rule == "leg_extra"
+    tree = grounded(and_(leaf("a", role="x", at="lost"), leaf("go", role="x", at="far", moves=True, duration_s=60)))
+    assert check(guessing(plan_of(tree, times((1, "r-1", 0, 0), (2, "r-1", 0, 60)), scene=scene), "r-1")) == ()
+    short = times((1, "r-1", 0, 0), (2, "r-1", 0, 11.181))
+    assert only(guessing(plan_of(tree, short, scene=scene), "r-1")).rule == "move_too_short"
+
+
+def test_a_speed_that_nobody_knows_is_an_assumption_of_the_type() -> None:
+    """10 m in no time."""
+    fleet = team(limits={})
+    plan = plan_of(AT, times((1, "r-1", 0, 3)), leg(1, 0, 0, HERE, THERE, 10), fleet=fleet, scene=SCENE)
+    assert check(guessing(plan, "r")) == ()
+    assert (only(plan).rule, only(plan).robot) == ("assumption_missing", "r")
+
+
+def test_a_move_has_its_leg_even_if_it_leads_nowhere() -> None:
+    """The robot is at "there" already: 0 m in 0 s."""
+    tree = grounded(
+        and_(leaf("a", role="x", at="there", duration_s=3), leaf("go", role="x", at="there", moves=True, duration_s=60))
+    )
+    actions, first = times((1, "r-1", 5, 8), (2, "r-1", 8, 8)), leg(1, 0, 5, HERE, THERE, 10)
+    assert check(plan_of(tree, actions, first, leg(2, 8, 8, THERE, THERE, 0), scene=SCENE)) == ()
+    assert (only(plan_of(tree, actions, first, scene=SCENE)).rule, only(plan_of(tree, actions, first, scene=SCENE)).node) == (
+        "leg_missing", "go [2]",
+    )  # fmt: skip
 
 
 def test_a_move_to_nobody_knows_where_takes_its_nominal_duration() -> None:
@@ -326,3 +400,79 @@ def test_nothing_overflows() -> None:
     assert "duration_wrong" in rules(plan)
     brief = replace(plan.brief, weights=replace(plan.brief.weights, alpha=1e308))
     assert "utility_wrong" in rules(replace(plan, brief=brief))
+
+
+def claiming(plan: Plan, status: Any, claim: Any, method: str, bound: float | None) -> Plan:
+    """The plan with another claim about its schedule."""
+    certificate = Certificate(claim=claim, method=method, bound=bound)
+    return replace(plan, schedules=(replace(plan.schedules[0], status=status, certificate=certificate),))
+
+
+def test_optimal_is_believed_where_the_checker_comes_to_the_same_bound() -> None:
+    """a (3 s) before b (4 s): 7 s are the least. With b put off by 1 s the schedule takes 8 s, and nothing shows that it must."""
+    plan = plan_of(ORDERED, times((1, "r-1", 0, 3), (2, "r-2", 3, 7)))
+    best = claiming(plan, "optimal", "proven", "critical_path", 7)
+    assert (check(best), taken_on_trust(best)) == ((), ())
+    assert only(claiming(plan, "optimal", "proven", "magic", 7)).rule == "claim_unfounded"
+    late = plan_of(ORDERED, times((1, "r-1", 0, 3), (2, "r-2", 4, 8)))
+    finding = only(claiming(late, "optimal", "proven", "critical_path", 8))
+    assert (finding.rule, finding.found, finding.needed) == ("claim_unfounded", "8 s", "at most 7 s")
+    assert only(claiming(late, "feasible", "bounded", "critical_path", 7.5)).needed == "at most 7 s"
+
+
+def test_travel_counts_in_the_bound() -> None:
+    """10 m at 2 m/s and 3 s of work: 8 s; the far robot of the two, at (10, 20), has 20 m to go and does not count."""
+    optimal = claiming(
+        plan_of(AT, times((1, "r-1", 5, 8)), leg(1, 0, 5, HERE, THERE, 10), scene=SCENE),
+        "optimal",
+        "proven",
+        "critical_path",
+        8,
+    )
+    assert (check(optimal), taken_on_trust(optimal)) == ((), ())
+    robots = tuple(Robot(id=name, position=spot) for name, spot in (("r-1", HERE), ("r-2", FAR)))
+    kind = RobotType(id="r", capabilities={"any": 1.0}, limits={"max_speed_mps": 2.0}, robots=robots)
+    farther = replace(
+        plan_of(AT, times((1, "r-2", 10, 13)), leg(1, 0, 10, FAR, THERE, 20, "r-2"), fleet=Fleet((kind,)), scene=SCENE)
+    )
+    # 13 s are not the least; with travel about, the scheduler may know more than the checker, which says so.
+    claimed = claiming(farther, "optimal", "proven", "critical_path", 13)
+    assert check(claimed) == ()
+    (notice,) = taken_on_trust(claimed)
+    assert (notice.rule, notice.severity, notice.found, notice.needed) == ("bound_on_trust", "notice", "13 s", "8 s")
+
+
+def test_one_robot_does_all_roles_of_its_type_one_after_the_other() -> None:
+    """3 s and 4 s by the only robot: 7 s, in either order."""
+    plan = plan_of(TWO, times((1, "r-1", 0, 3), (2, "r-1", 3, 7)), fleet=team(1))
+    best = claiming(plan, "optimal", "proven", "load", 7)
+    assert (check(best), taken_on_trust(best)) == ((), ())
+
+
+def test_impossible_needs_a_proof() -> None:
+    """A doable mission, given up with an invented reason: no ranking, or one whose schedules are not all excluded."""
+    plan = plan_of(TWO, times((1, "r-1", 0, 3), (2, "r-2", 0, 4)))
+    why = Reason(rule="too_hard", message="It is too hard.")
+    given_up = replace(plan, outcome="cannot_be_done", ranking=None, schedules=(), reasons=(why,))
+    assert rules(given_up) == ["impossibility_unproven", "reason_invented"]
+    excluded = Certificate(claim="proven", method="reachability")
+    schedule = Schedule(rank=1, status="infeasible", certificate=excluded, reasons=(why,))
+    impossible = replace(plan, outcome="cannot_be_done", schedules=(schedule,), reasons=(why,))
+    assert check(impossible) == ()
+    assert [notice.rule for notice in taken_on_trust(impossible)] == ["infeasibility_on_trust"]
+    assert plan.ranking is not None
+    # The ranking says that there may be more, of utility 1 at most; there are none, but it has to say that.
+    open_end = replace(plan.ranking, certificate=replace(PROVEN, bound=1.0))
+    assert rules(replace(impossible, ranking=open_end)) == ["impossibility_unproven"]
+
+
+def test_a_ranking_that_claims_to_be_complete_is_refuted_by_one_more_alternative() -> None:
+    """The XOR offers a and b, equal in utility; a alone is listed, and nothing is said to be left."""
+    tree = grounded(and_(xor_(leaf("a", duration_s=3), leaf("b", duration_s=3))))
+    plan = plan_of(tree, times((2, "r-1", 0, 3)))
+    assert plan.ranking is not None
+    chosen = replace(plan.ranking.alternatives[0], choices=(Choice(1, 2),), utility=1.0)
+    complete = replace(plan, ranking=replace(plan.ranking, alternatives=(chosen,)))
+    assert only(complete).found == "no bound on what is not listed"
+    rest = replace(PROVEN, bound=1.0)
+    assert check(replace(plan, ranking=replace(plan.ranking, alternatives=(chosen,), certificate=rest))) == ()
