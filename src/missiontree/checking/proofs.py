@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator
+from itertools import permutations
 
 from missiontree.checking.case import Case
 from missiontree.checking.clock import TOLERANCE, shown, tick
@@ -14,6 +14,9 @@ from missiontree.checking.methods import BOUND_PROOFS, IMPOSSIBILITY_PROOFS, RAN
 from missiontree.checking.timetable import Timetable
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.schedule import Schedule
+
+MOST_ROLES = 20
+"""Roles of one robot, beyond which it is not asked how they are ordered."""
 
 
 def claim_unfounded(case: Case) -> Iterator[Fault]:
@@ -60,15 +63,32 @@ def _own_is_as_strong(case: Case, timetable: Timetable) -> bool:
     """
     Whether nothing but durations and order can make a schedule long, so that the checker's bound is the documented ones' equal.
 
-    That is so if no action has a place that is known, nothing waits for the end of something else, and no two roles must share
-    a robot.
+    That is so if no action has a place that is known, nothing lasts until something else ends, and holding adds no order: of two
+    roles that one robot must fill, either all of one comes before all of the other, or nothing of either does.
     """
     staffing = timetable.staffing
     haunts = Haunts(case, timetable)
-    roles = Counter(staffing.type_of_role.values())
     return (
         all(bond.kind == "precedence" for bond in staffing.bonds)
         and all(haunts.of_leaf(leaf) == ANYWHERE for leaf in staffing.actions)
         and not staffing.teams
-        and all(count == 1 or len(case.fleet.by_id[kind].members) >= count for kind, count in roles.items())
+        and all(_wholly_ordered(timetable, roles) for roles in _sharing(case, timetable))
+    )
+
+
+def _sharing(case: Case, timetable: Timetable) -> Iterator[list[int]]:
+    """Roles that one robot must fill, since its type has no other."""
+    roles: dict[str, list[int]] = {}
+    for role, type_id in timetable.staffing.type_of_role.items():
+        roles.setdefault(type_id, []).append(role)
+    return (own for type_id, own in roles.items() if len(case.fleet.by_id[type_id].members) == 1)
+
+
+def _wholly_ordered(timetable: Timetable, roles: list[int]) -> bool:
+    if len(roles) > MOST_ROLES:
+        return False
+    leaves, before = timetable.staffing.leaves_of_role, timetable.surely_before
+    return all(
+        before(leaves[one][0], leaves[other][-1]) == before(leaves[one][-1], leaves[other][0])
+        for one, other in permutations(roles, 2)
     )
