@@ -1,0 +1,51 @@
+"""``missiontree check``: what it confirms, and what it takes on trust."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+from missiontree.formats.document import write_text
+from missiontree.mission.certificate import Certificate
+from missiontree.mission.plan import Plan
+from tests.checking.plans import choices, reunite
+from tests.cli.running import Shell
+
+
+def written(plan: Plan, folder: Path) -> str:
+    (folder / "plan.json").write_text(write_text(plan, "plan"), encoding="utf-8")
+    return "plan.json"
+
+
+def test_what_is_confirmed_needs_no_words(shell: Shell, tmp_path: Path) -> None:
+    file = written(reunite(), tmp_path)
+    assert shell("check", file).out == "sound: plan.json keeps every rule\n"
+    assert json.loads(shell("check", file, "--json").out) == {"sound": True, "findings": [], "taken_on_trust": []}
+
+
+def test_what_is_taken_on_trust_is_named(shell: Shell, tmp_path: Path) -> None:
+    """A feasible schedule with travel called optimal by a documented method: the checker cannot tell, and says so."""
+    plan = choices()
+    first = plan.schedules[0]
+    assert first.status == "feasible"
+    proven = Certificate(claim="proven", method="critical_path", bound=first.makespan_s)
+    claimed = replace(first, status="optimal", certificate=proven)
+    file = written(replace(plan, schedules=(claimed, *plan.schedules[1:])), tmp_path)
+    ran = shell("check", file)
+    assert ran.code == 0
+    sound, *trusted = ran.out.splitlines()
+    assert sound == "sound: plan.json keeps every rule"
+    assert " ".join(trusted).startswith("  not confirmed: That schedule 1 is optimal is taken on the scheduler's word")
+    told = json.loads(shell("check", file, "--json").out)
+    assert [claim["rule"] for claim in told["taken_on_trust"]] == ["bound_on_trust"]
+
+
+def test_a_method_that_nobody_documents_is_a_fault(shell: Shell, tmp_path: Path) -> None:
+    plan = choices()
+    first = plan.schedules[0]
+    proven = Certificate(claim="proven", method="magic", bound=first.makespan_s)
+    claimed = replace(first, status="optimal", certificate=proven)
+    ran = shell("check", written(replace(plan, schedules=(claimed, *plan.schedules[1:])), tmp_path), "--json")
+    assert ran.code == 6
+    assert [finding["rule"] for finding in json.loads(ran.out)["findings"]] == ["claim_unfounded"]
