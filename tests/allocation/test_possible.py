@@ -43,7 +43,7 @@ def test_what_all_types_together_lack() -> None:
     flat = flat_of(and_(*ways), fleet)
     found = possible_nodes(flat)
     assert not found.possible[0]
-    assert reasons_of(flat, found, "error")[0].message.endswith("all types together may use 6.")
+    assert reasons_of(flat, found, "error")[0].message.endswith("and types r and s together may use 6.")
 
 
 def test_one_role_needs_one_robot() -> None:

@@ -17,9 +17,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
-from missiontree.allocation.flat import AMOUNT_SCALE, Flat
+from missiontree.allocation.flat import AMOUNT_SCALE, Flat, Stock
 from missiontree.allocation.packing import Load, pack
 from missiontree.allocation.selection import Selection
+from missiontree.allocation.wording import of_all_robots
 from missiontree.mission.reason import Reason
 
 DEFAULT_STEPS = 20_000
@@ -83,12 +84,10 @@ class Feasibility:
         apart = self._apart(types, group_of, linked["different_robot"])
         robot_of: dict[int, str] = {}
         undecided = False
-        for type_id in sorted(set(types.values())):
-            groups = sorted({group_of[role] for role, kind in types.items() if kind == type_id})
-            loads = _loads(groups, group_of, types, uses, apart)
+        for type_id, loads in sorted(_loads(group_of, types, uses, apart).items()):
             packed = pack(self.flat.stocks[type_id], loads, self.steps)
             if packed.answer == "no":
-                raise _Refused(_cannot_pack(type_id, packed.name, len(groups)))
+                raise _Refused(_cannot_pack(type_id, self.flat.stocks[type_id], packed.name, len(loads)))
             undecided |= packed.answer == "undecided"
             robot_of.update({group: self.flat.stocks[type_id].robots[robot] for group, robot in packed.robots.items()})
         if undecided:
@@ -119,7 +118,7 @@ class Feasibility:
             for name, needed in sorted(used.items()):
                 there = self.flat.stocks[type_id].pooled(name)
                 if there is not None and needed > there:
-                    raise _Refused(_over_budget(type_id, name, needed, there))
+                    raise _Refused(_over_budget(type_id, self.flat.stocks[type_id], name, needed, there))
 
     def _bound_links(self, selection: Selection) -> dict[str, list[tuple[list[int], list[int]]]]:
         """The roles on both sides of every link whose two nodes are selected."""
@@ -186,32 +185,40 @@ def _merged(types: dict[int, str], same: Iterable[tuple[list[int], list[int]]]) 
 
 
 def _loads(
-    groups: list[int],
-    group_of: dict[int, int],
-    types: dict[int, str],
-    uses: dict[int, Counter[str]],
-    apart: dict[int, set[int]],
-) -> list[Load]:
-    spent = {group: Counter[str]() for group in groups}
+    group_of: dict[int, int], types: dict[int, str], uses: dict[int, Counter[str]], apart: dict[int, set[int]]
+) -> dict[str, list[Load]]:
+    """What the robots of each type are to be dealt out, by group."""
+    spent = {group: Counter[str]() for group in sorted(set(group_of.values()))}
     for role, used in uses.items():
-        if group_of[role] in spent:
-            spent[group_of[role]].update(used)
-    return [Load(group, spent[group], frozenset(apart.get(group, ()))) for group in groups]
+        spent[group_of[role]].update(used)
+    loads: dict[str, list[Load]] = {}
+    for group, used in spent.items():
+        loads.setdefault(types[group], []).append(Load(group, used, frozenset(apart.get(group, ()))))
+    return loads
 
 
-def _over_budget(type_id: str, name: str, needed: int, there: int) -> Reason:
+def _over_budget(type_id: str, stock: Stock, name: str, needed: int, there: int) -> Reason:
+    holder = of_all_robots(type_id, stock, name)
+    wanted, held = f"{needed / AMOUNT_SCALE:g}", f"{there / AMOUNT_SCALE:g}"
     return Reason(
         rule="budget_exceeded",
-        message=f"Type {type_id} would use {needed / AMOUNT_SCALE:g} of {name}; together it may use {there / AMOUNT_SCALE:g}.",
+        message=f"Robots of type {type_id} would use {wanted} of {name}, and {holder.whose} may use {held}.",
         robot=type_id,
-        found=f"{name} {there / AMOUNT_SCALE:g}",
-        needed=f"{name} {needed / AMOUNT_SCALE:g}",
+        found=f"{name} {held}",
+        needed=f"{name} {wanted}",
+        hint=holder.remedy,
     )
 
 
-def _cannot_pack(type_id: str, name: str, groups: int) -> Reason:
+def _cannot_pack(type_id: str, stock: Stock, name: str, groups: int) -> Reason:
     if not name:
         message = f"More robots of type {type_id} are needed at once, or kept apart, than there are."
         return Reason(rule="too_few_robots", message=message, robot=type_id)
-    message = f"No way of dealing {groups} roles out to the robots of type {type_id} keeps each within its {name}."
+    whom = (
+        f"the robots of type {type_id} keeps each"
+        if len(stock.robots) > 1
+        else f"the only robot of type {type_id} keeps it"
+    )
+    shares = f"{groups} roles" if groups > 1 else "one role"
+    message = f"No way of dealing {shares} out to {whom} within its {name}."
     return Reason(rule="budget_exceeded", message=message, robot=type_id, needed=name)

@@ -34,6 +34,8 @@ from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
 
+PATIENCE_NODES = 1_000_000
+
 
 @dataclass(frozen=True, slots=True)
 class ExactKBest:
@@ -47,7 +49,7 @@ class ExactKBest:
     packing_steps
         Steps of packing per candidate and robot type before a candidate is kept as undecided. Default 20,000.
     patience
-        Candidates of the plain stream looked at before states of use are counted. Default 256.
+        Candidates of the plain stream looked at before states of use are counted; fewer in large trees. Default 256.
     max_states
         States of use kept at once; 0 does without them. Default 200,000.
     """
@@ -86,7 +88,7 @@ class _Road:
     def walk(self) -> Ranking:
         """All stages."""
         search, settings = self.search, self.settings
-        if self._plainly(min(settings.patience, settings.max_examined)):
+        if self._plainly(self._patience()):
             return search.finished()
         purses = purses_of(self.flat, self.possible)
         core = core_of(self.flat, self.possible, purses)
@@ -99,6 +101,13 @@ class _Road:
             return search.finished()
         search.bound_by((relaxed or fill(search.pool, core, purses, self.control)).bound)
         return search.stopped()
+
+    def _patience(self) -> int:
+        """The larger the tree, the longer a candidate takes, and the less likely it is that one near the best is allowed."""
+        settings = self.settings
+        if self.search.referee is None:
+            return settings.max_examined
+        return min(settings.patience, settings.max_examined, max(4, PATIENCE_NODES // len(self.flat.kind)))
 
     def _given_up(self, most: int) -> bool:
         return self.search.examined >= most or self.control.ended()

@@ -141,7 +141,7 @@ def _look_around(
     relaxed: Relaxed,
     control: Control,
 ) -> None:
-    """Neighbours of the best starts, then of the best among those, until there are k or nobody new."""
+    """Neighbours of the best starts, then of the best among those, until time is up or enough were asked for."""
     _, advised = sweep(core, relaxed.prices)
     starts.sort(key=lambda entry: -entry[0])
     seeds = [way for place, (_, way) in enumerate(starts) if way not in [other for _, other in starts[:place]]][:SEEDS]
@@ -149,10 +149,9 @@ def _look_around(
     for _ in range(2):
         found: list[Way] = []
         for seed in seeds:
-            if control.ended() and (pool.kth is not None or len(core) > SMALL_CORE):
-                return
             for way in neighbours(core, purses, seed, advised)[: 2 * pool.k + 100]:
-                if asked == REFEREED:
+                late = control.ended() and (pool.kth is not None or len(core) > SMALL_CORE)
+                if late or asked == REFEREED:
                     return
                 asked += 1
                 if pool.offer(core.taken(way)):

@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from missiontree.allocation.flat import AMOUNT_SCALE, Flat
+from missiontree.allocation.wording import Holder, of_all_robots, of_one_robot, of_types
 from missiontree.mission.reason import Reason, Severity
 
 Purse = tuple[str, int, str]  # robot type ("" for all of them), role (-1 for all of them), name of the budget
@@ -133,7 +134,8 @@ class _Limits:
         return charged
 
     def excess(self, node: int, use: Mapping[Purse, int], touched: set[Purse] | None) -> Excess | None:
-        for purse in sorted(use if touched is None else touched):
+        # One type's purse first: what a single type lacks is not to be told of all types together.
+        for purse in sorted(use if touched is None else touched, key=lambda purse: (not purse[0], purse)):
             type_id, role, name = purse
             if not type_id:
                 limit: int | None = self.everywhere[name]
@@ -148,19 +150,27 @@ def reasons_of(flat: Flat, possibility: Possibility, severity: Severity, limit: 
     """The refusals nearest to the root in words, one per budget and type."""
     said: dict[tuple[str, str], Reason] = {}
     for excess in reversed(possibility.excesses):
-        type_id, role, name = excess.purse
+        type_id, _, name = excess.purse
         if (type_id, name) in said or len(said) == limit:
             continue
-        whose = f"one robot of type {type_id}" if role >= 0 else f"type {type_id}" if type_id else "all types together"
+        holder = _holder(flat, excess.purse)
         needed, there = excess.needed / AMOUNT_SCALE, excess.found / AMOUNT_SCALE
         said[type_id, name] = Reason(
             rule="budget_exceeded",
             severity=severity,
-            message=f'Whatever is chosen, "{flat.label[excess.node]}" uses {needed:g} of {name}, and {whose} may use {there:g}.',
+            message=f'Whatever is chosen, "{flat.label[excess.node]}" uses {needed:g} of {name}, and {holder.whose} may use {there:g}.',
             node=flat.label[excess.node],
             robot=type_id,
             found=f"{name} {there:g}",
             needed=f"{name} {needed:g}",
-            hint=f"Raise {name}, add a robot, or give the task another way of being done.",
+            hint=holder.remedy,
         )
     return tuple(said.values())
+
+
+def _holder(flat: Flat, purse: Purse) -> Holder:
+    type_id, role, name = purse
+    if type_id:
+        return (of_one_robot if role >= 0 else of_all_robots)(type_id, flat.stocks[type_id], name)
+    users = {flat.robot_type[leaf] for leaf, uses in enumerate(flat.uses) if name in uses}
+    return of_types(sorted(user for user in users if flat.stocks[user].pooled(name) is not None), name)
