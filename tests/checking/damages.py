@@ -314,6 +314,24 @@ def note_left_out(plan: Plan) -> Iterator[Plan]:
             yield replace(plan, **emptied)
 
 
+@breaks("entity_unsaid")
+def introduction_concealed(plan: Plan) -> Iterator[Plan]:
+    assert plan.tree is not None
+    for entity in plan.tree.entities if plan.provenance.transcript else ():
+        left = tuple(reason for reason in plan.assumptions if reason.node != entity.id)
+        yield replace(plan, assumptions=left)
+
+
+@breaks("remark_dropped")
+def remark_left_out(plan: Plan) -> Iterator[Plan]:
+    """The dialogue ends with a remark that the plan does not hold."""
+    lines = plan.provenance.transcript
+    if lines:
+        remark = {"rule": "words_unused", "message": "'gently' is not understood.", "severity": "notice"}
+        end = json.dumps({**json.loads(lines[-1]), "remarks": [remark]}, sort_keys=True, separators=(",", ":"))
+        yield with_provenance(plan, transcript=(*lines[:-1], end))
+
+
 @breaks("assumption_missing")
 def guess_concealed(plan: Plan) -> Iterator[Plan]:
     """Everywhere: in the schedule and in the plan's own list."""

@@ -36,7 +36,7 @@ def test_what_is_taken_on_trust_is_named(shell: Shell, tmp_path: Path) -> None:
     assert ran.code == 0
     sound, *trusted = ran.out.splitlines()
     assert sound == "sound: plan.json keeps every rule"
-    assert " ".join(trusted).startswith("  not confirmed: That schedule 1 is optimal is taken on the scheduler's word")
+    assert " ".join(trusted).startswith("not confirmed: That schedule 1 is optimal is taken on the scheduler's word")
     told = json.loads(shell("check", file, "--json").out)
     assert [claim["rule"] for claim in told["taken_on_trust"]] == ["bound_on_trust"]
 

@@ -15,6 +15,7 @@ from missiontree.llm.recording import Recording, read_recording
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree, Grounding
 from missiontree.mission.plan import Plan
+from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Entity, Scene
 from missiontree.mission.tree import MissionNode, MissionTree
 from missiontree.routines.ground import ground
@@ -116,6 +117,15 @@ class Case:
     def same_inputs(self) -> bool:
         """Whether the dialogue was held about the plan's own mission and inputs."""
         return isinstance(self.recording, Recording) and self.recording.mission == digest(self.plan.brief)
+
+    def ending(self, what: str) -> tuple[Reason, ...]:
+        """Reasons or remarks that the dialogue ends with; none if it was held about something else, or if they are no reasons."""
+        if not isinstance(self.recording, Recording) or not self.same_inputs:
+            return ()
+        try:
+            return tuple(Reason(**plain) for plain in self.recording.end[what])
+        except (TypeError, ValueError):
+            return ()
 
     @cached_property
     def ways(self) -> Ways:

@@ -47,6 +47,8 @@ RULES: tuple[Rule, ...] = (
     grounding.grounding_differs,
     grounding.grounding_notes_differ,
     notes.note_dropped,
+    notes.remark_dropped,
+    notes.entity_unsaid,
     notes.assumption_missing,
     abilities.type_unknown,
     abilities.capability_missing,

@@ -25,11 +25,10 @@ MOST_WAYS = 2500
 """Pairs of points between which the least way is sought for one action, beyond which travel is counted as nothing."""
 
 
-def least_makespan(case: Case, timetable: Timetable) -> int:
-    """Ticks below which no schedule of the timetable's alternative can be; 0 if its order is circular."""
-    kinds = timetable.staffing.type_of_role.values()
-    if any(action.robot_type not in case.fleet.by_id for action in timetable.staffing.actions.values()) or not kinds:
-        return 0
+def least_makespan(case: Case, timetable: Timetable) -> int | None:
+    """Ticks below which no schedule of the timetable's alternative can be, 0 if its order is circular; None if a type is unknown."""
+    if any(action.robot_type not in case.fleet.by_id for action in timetable.staffing.actions.values()):
+        return None
     return _Bound(case, timetable).ticks()
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from missiontree.checking.case import Case
 from missiontree.checking.fault import Fault, named
 from missiontree.checking.journeys import journeys
+from missiontree.checking.provenance import GIVEN
 from missiontree.checking.timetable import Timetable
 from missiontree.checking.ways import apart_m
 
@@ -29,6 +30,32 @@ def note_dropped(case: Case) -> Iterator[Fault]:
                 robot=dropped[0].robot,
                 found=f"{len(said)} {what}",
                 needed=dropped[0].message,
+            )
+
+
+def remark_dropped(case: Case) -> Iterator[Fault]:
+    """A remark that the dialogue ends with stands in the plan neither as a notice nor as an assumption."""
+    said = {*case.plan.notices, *case.plan.assumptions}
+    for remark in case.ending("remarks"):
+        if remark not in said:
+            yield Fault(
+                f"the plan leaves out what its author remarked: {remark.message}",
+                node=remark.node,
+                needed=remark.message,
+            )
+
+
+def entity_unsaid(case: Case) -> Iterator[Fault]:
+    """An entity was introduced in the dialogue that built the tree, and no assumption of the plan names it."""
+    plan = case.plan
+    said = {reason.node for reason in plan.assumptions}
+    for entity in plan.tree.entities if plan.tree is not None and plan.provenance.author != GIVEN else ():
+        if entity.id not in said:
+            yield Fault(
+                f"{entity.label or entity.id} was introduced by the author, and the plan does not say so.",
+                node=entity.id,
+                found="no assumption",
+                needed="an assumption that names it",
             )
 
 

@@ -103,10 +103,7 @@ def _known_reasons(case: Case) -> set[Reason] | None:
         return {*(plan.ranking.reasons if plan.ranking else ()), *scheduled, *plan.grounding.not_offered}
     if not isinstance(case.recording, Recording) or not case.same_inputs or _ends_with(case) == "complete":
         return None
-    try:
-        return {Reason(**plain) for plain in case.recording.end["reasons"]}
-    except (TypeError, ValueError):
-        return set()  # no reasons at all, whatever they are
+    return set(case.ending("reasons"))
 
 
 def _ends_with(case: Case) -> str:

@@ -30,7 +30,7 @@ def claim_unfounded(case: Case) -> Iterator[Fault]:
             )
     for timetable in case.timetables:
         claimed, own = claimed_bound(timetable.schedule), least_makespan(case, timetable)
-        if claimed > own + TOLERANCE and _own_is_as_strong(case, timetable):
+        if own is not None and claimed > own + TOLERANCE and _own_is_as_strong(case, timetable):
             yield Fault(
                 f"schedule {timetable.schedule.rank} claims that none is shorter than {shown(claimed)}; "
                 f"all that its actions and their order show is {shown(own)}.",

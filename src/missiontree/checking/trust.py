@@ -47,7 +47,7 @@ def _bounds(case: Case) -> Iterator[Reason]:
     for timetable in case.timetables:
         schedule = timetable.schedule
         claimed, own = claimed_bound(schedule), least_makespan(case, timetable)
-        if claimed > own + TOLERANCE:
+        if own is not None and claimed > own + TOLERANCE:
             what = "optimal" if schedule.status == "optimal" else f"at least {shown(claimed)} for all others"
             yield _notice(
                 "bound_on_trust",

@@ -41,5 +41,5 @@ def command(
     else:
         say(f"sound: {plan} keeps every rule", "green", colour)
         for claim in trusted:
-            say(f"  not confirmed: {claim.message}", "yellow", colour)
+            say(f"not confirmed: {claim.message}", "yellow", colour)
     return Exit.FAULTS if findings else Exit.DELIVERED
