@@ -63,14 +63,14 @@ def outcome_contradicted(case: Case) -> Iterator[Fault]:
     plan, ended = case.plan, _ends_with(case)
     if plan.grounding is not None:
         fits = plan.outcome in {"delivered", "cannot_be_done", "exhausted"} and ended in {"", "complete"}
-        needed = "what ranking and schedules came to"
+        needed = "for ranking and schedules to tell"
     elif plan.provenance.author == GIVEN:
         fits, needed = plan.outcome == "incomplete", "incomplete"
     else:
         fits, needed = ended in {"", "complete", plan.outcome}, ended
     if not fits:
         yield Fault(
-            f"the outcome is {plan.outcome}, and the tree was {ended or 'given'}.",
+            f"the outcome is {plan.outcome}, where it is {needed}.",
             found=plan.outcome,
             needed=needed,
         )
