@@ -6,7 +6,9 @@ RANKING_PROOFS = frozenset({"lazy_k_best", "enumeration", "algorithm_1", "least_
 BOUND_PROOFS = frozenset({"critical_path", "load"})
 """Why no schedule is shorter."""
 
-IMPOSSIBILITY_PROOFS = frozenset({"precedence", "staffing", "holding", "reachability", "budget_bound"})
+IMPOSSIBILITY_PROOFS = frozenset(
+    {"precedence", "staffing", "overlap", "holding", "overlap", "reachability", "budget_bound"}
+)
 """Why there is no schedule."""
 
 SEARCHES = frozenset({"serial_generation"})
