@@ -8,7 +8,7 @@ purses advise.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from missiontree.allocation.core import Core, Way
@@ -82,10 +82,12 @@ def repaired(core: Core, purses: Purses, advised: Sequence[int]) -> Way | None:
     return way if state.fits({}) else None
 
 
-def improved(core: Core, purses: Purses, way: Way, advised: Sequence[int]) -> Way:
-    """The way after exchanges that gain utility and keep every purse, as long as there are any."""
+def improved(core: Core, purses: Purses, way: Way, advised: Sequence[int], ended: Callable[[], bool]) -> Way:
+    """The way after exchanges that gain utility and keep every purse, until there are none, or somebody says stop."""
     state = _State(purses, core.way_under(len(core) - 1, way)[2])
     for _ in range(MAX_PASSES):
+        if ended():
+            break
         better = [entry for entry in exchanges(core, way, advised) if entry.gain > 0 and state.fits(entry.change)]
         better.sort(key=lambda exchange: (-exchange.gain, exchange.pick, exchange.option))
         if not better:

@@ -16,7 +16,7 @@ from missiontree.allocation.exchanges import improved, neighbours, repaired
 from missiontree.allocation.feasibility import Feasibility, Verdict
 from missiontree.allocation.flat import Flat
 from missiontree.allocation.item import choices_of
-from missiontree.allocation.multipliers import Relaxed, relax, sweep
+from missiontree.allocation.multipliers import STEPS, Relaxed, relax, sweep
 from missiontree.allocation.pruned import kept_ways
 from missiontree.allocation.purses import Purses
 from missiontree.allocation.selection import Selection, select
@@ -104,16 +104,19 @@ def fill(pool: Pool, core: Core, purses: Purses, control: Control) -> Relaxed:
 
     A few sweeps are made even when time is up, so that there is something to show.
     """
-    repairs = max(2, REPAIRED_PARTS // len(core))
+    repairs, unseen = max(2, REPAIRED_PARTS // len(core)), 0
+    if repairs < STEPS:
+        unseen = STEPS // 3  # in large trees repairs take longer than sweeps, so the prices come first
     starts: list[tuple[int, Way]] = []
 
     def visit(picked: list[int], _: float) -> int | None:
-        nonlocal repairs
-        if repairs > 0:
+        nonlocal repairs, unseen
+        unseen -= 1
+        if repairs > 0 and (unseen < 0 or control.ended()):
             repairs -= 1
             way = repaired(core, purses, picked)
             if way is not None:
-                way = improved(core, purses, way, picked)
+                way = improved(core, purses, way, picked, control.ended)
                 starts.append((core.way_under(len(core) - 1, way)[1], way))
                 pool.offer(core.taken(way))
         return pool.highest
@@ -146,12 +149,17 @@ def _look_around(
     starts.sort(key=lambda entry: -entry[0])
     seeds = [way for place, (_, way) in enumerate(starts) if way not in [other for _, other in starts[:place]]][:SEEDS]
     asked = 0
+
+    def late() -> bool:
+        return control.ended() and (pool.kth is not None or len(core) > SMALL_CORE)
+
     for _ in range(2):
         found: list[Way] = []
         for seed in seeds:
+            if late():
+                return
             for way in neighbours(core, purses, seed, advised)[: 2 * pool.k + 100]:
-                late = control.ended() and (pool.kth is not None or len(core) > SMALL_CORE)
-                if late or asked == REFEREED:
+                if late() or asked == REFEREED:
                     return
                 asked += 1
                 if pool.offer(core.taken(way)):

@@ -1,0 +1,44 @@
+"""The tree boiled down: what is settled shrinks to numbers, what is left to choose stays."""
+
+from __future__ import annotations
+
+from missiontree.allocation.core import Core, core_of
+from missiontree.allocation.flat import flatten
+from missiontree.allocation.possible import structurally_possible
+from missiontree.allocation.purses import purses_of
+from missiontree.mission.estimate import Weights
+from tests.builders import Spec, and_, grounded, leaf, trivial_fleet, xor_
+
+
+def core(root: Spec, energy: float = 5) -> Core:
+    flat = flatten(grounded(root), trivial_fleet(limits={"energy_j": energy}), Weights())
+    possible = structurally_possible(flat)
+    return core_of(flat, possible, purses_of(flat, possible))
+
+
+def test_nothing_to_choose_is_one_part() -> None:
+    settled = core(
+        and_(leaf("a", quality=1, uses={"energy_j": 3}), xor_(leaf("b", quality=2, uses={"energy_j": 3}), xor_()))
+    )
+    # 1 + 2, and two units of 3 from a purse that holds one.
+    assert (settled.utility, settled.uses, settled.options) == ([3_000_000], [((0, 2),)], [()])
+
+
+def test_a_way_and_what_it_amounts_to() -> None:
+    # Preorder: 0 and, 1 leaf s, 2 and, 3 xor over 4 (impossible), 5 and 6; so a and b stand at the places 1 and 2.
+    boiled = core(and_(leaf("s", quality=1), and_(xor_(xor_(), leaf("a", quality=2), leaf("b", uses={"energy_j": 9})))))
+    (pick,) = [part for part in range(len(boiled)) if boiled.options[part]]
+    assert [(option.xor, option.place) for option in boiled.options[pick]] == [(3, 1), (3, 2)]
+    way, utility, used = boiled.way_under(len(boiled) - 1, {pick: 0})
+    assert (way, utility, used) == ({pick: 0}, 3_000_000, {})
+    way, utility, used = boiled.way_under(len(boiled) - 1, {pick: 1})
+    assert (way, utility, used) == ({pick: 1}, 2_000_000, {0: 1})
+    assert boiled.taken(way) == {3: 2}
+
+
+def test_nested_ands_become_one_chain() -> None:
+    pairs = [xor_(leaf(f"a{n}"), leaf(f"b{n}")) for n in range(4)]
+    boiled = core(and_(and_(pairs[0], pairs[1]), and_(pairs[2], pairs[3])))
+    # 8 leaves, 4 picks, 3 pairs.
+    assert len(boiled) == 15
+    assert sum(pair is not None for pair in boiled.pair) == 3

@@ -1,0 +1,95 @@
+"""The pool: feasible alternatives by cheap methods, in order, whatever time there is."""
+
+from __future__ import annotations
+
+from hypothesis import given, settings
+
+from benchmarks.random_trees import Case
+from benchmarks.tied_budget import tied_mission
+from missiontree.allocation.core import Core, core_of
+from missiontree.allocation.coupling import couples
+from missiontree.allocation.exchanges import exchanges, improved, neighbours, repaired
+from missiontree.allocation.exhaustive import Exhaustive
+from missiontree.allocation.feasibility import Feasibility
+from missiontree.allocation.flat import Flat, flatten
+from missiontree.allocation.multipliers import sweep
+from missiontree.allocation.pool import Pool, fill
+from missiontree.allocation.possible import possible_nodes
+from missiontree.allocation.purses import Purses, purses_of
+from missiontree.mission.control import Control
+from missiontree.mission.estimate import MICRO, Weights
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.grounded import GroundedTree
+from tests.strategies import cases
+
+
+def parts(tree: GroundedTree, fleet: Fleet, weights: Weights | None = None) -> tuple[Flat, Core, Purses, list[bool]]:
+    flat = flatten(tree, fleet, weights or Weights())
+    possible = list(possible_nodes(flat).possible)
+    purses = purses_of(flat, possible)
+    return flat, core_of(flat, possible, purses), purses, possible
+
+
+def pool_of(flat: Flat, possible: list[bool], k: int) -> Pool:
+    return Pool(flat, possible, Feasibility(flat) if couples(flat) else None, k)
+
+
+@settings(max_examples=100)
+@given(cases())
+def test_the_pool_is_feasible_in_order_and_below_the_bound(case: Case) -> None:
+    truth = Exhaustive()(case.tree, case.fleet, case.weights, 10**6, Control()).alternatives
+    flat = flatten(case.tree, case.fleet, case.weights)
+    if not possible_nodes(flat).possible[0]:
+        return
+    flat, core, purses, possible = parts(case.tree, case.fleet, case.weights)
+    pool = pool_of(flat, possible, 3)
+    relaxed = fill(pool, core, purses, Control())
+    ranks = {tuple((choice.xor, choice.child) for choice in entry.choices): entry.rank for entry in truth}
+    listed = [ranks[entry.selection.choices] for entry in pool.listed()]
+    assert listed == sorted(set(listed))
+    if truth:
+        assert truth[0].utility * MICRO <= relaxed.bound + 0.5
+
+
+def test_repair_takes_the_cheapest_relief() -> None:
+    _, core, purses, _ = parts(*tied_mission(5, {"a": 3}))
+    _, advised = sweep(core, [0])
+    # Without a price everybody takes a; two must give it up, which costs 0.1 each: 3 + 2 * 0.9 = 4.8.
+    way = repaired(core, purses, advised)
+    assert way is not None
+    assert core.way_under(len(core) - 1, way)[1:] == (4_800_000, {0: 3})
+    # From there every exchange of an a for a b keeps the purse, and none of a b for an a does.
+    assert [core.way_under(len(core) - 1, near)[1] for near in neighbours(core, purses, way, advised)] == [
+        4_700_000
+    ] * 3
+
+
+def test_improvement_uses_what_is_left() -> None:
+    _, core, purses, _ = parts(*tied_mission(5, {"a": 3}))
+    most, advised = sweep(core, [1_000_000])
+    # At a price of 1 for each use nobody takes a.
+    assert most[-1] == 4_500_000
+    way = core.way_under(len(core) - 1, advised)[0]
+    assert [(entry.gain, entry.change) for entry in exchanges(core, way, advised)] == [(100_000, {0: 1})] * 5
+    better = improved(core, purses, way, advised, lambda: False)
+    assert core.way_under(len(core) - 1, better)[1:] == (4_800_000, {0: 3})
+    assert improved(core, purses, way, advised, lambda: True) == way
+
+
+def test_the_kth_and_what_was_refused() -> None:
+    tree, fleet = tied_mission(2, {"a": 1})
+    flat, _, _, possible = parts(tree, fleet)
+    pool = pool_of(flat, possible, 2)
+    xors = [node for node, kind in enumerate(flat.kind) if kind == "xor"]
+    assert not pool.offer(dict.fromkeys(xors, 0))  # a twice, where the budget holds one
+    assert pool.offer(dict.fromkeys(xors, 1))
+    assert (pool.highest, pool.kth) == (1_800_000, None)
+    assert pool.offer({xors[0]: 0, xors[1]: 1})
+    assert (pool.highest, pool.kth, len(pool.listed())) == (1_900_000, 1_800_000, 2)
+
+
+def test_something_to_show_when_time_is_up() -> None:
+    flat, core, purses, possible = parts(*tied_mission(30, {"a": 3}))
+    pool = pool_of(flat, possible, 4)
+    relaxed = fill(pool, core, purses, Control(time_limit_s=0))
+    assert (pool.highest, relaxed.bound) == (27_300_000, 30_000_000)
