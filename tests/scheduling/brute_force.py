@@ -106,7 +106,7 @@ def _ends(
                 spot = goal
             else:
                 duration[leaf] = math.ceil(action[leaf].duration_s * 1000 - 1e-6)
-                if goal is not None:
+                if action[leaf].at is not None:
                     way = _way(fleet, action[leaf], spot, goal, 0.0)
                     spot = goal
             release[leaf] = max(release[leaf], way) if last is None else release[leaf]
@@ -122,7 +122,22 @@ def _ends(
                 if action[leaf].open_ended:
                     until.setdefault(leaf, []).extend(second)
     joint = {leaf: [other for other in leaves if _together(action[leaf], action[other])] or [leaf] for leaf in leaves}
-    return _earliest(leaves, before, release, duration, until, joint)
+    fixed = {leaf: [end for end in _ends_of(leaf, until) if end not in until] for leaf in until}
+    found: list[int] = []
+    for latest in product(*fixed.values()):  # for each open-ended action, who ends after its start
+        under_way = list(zip(fixed, latest, strict=True))
+        makespan = _earliest(leaves, before, release, duration, until, joint, under_way)
+        found += [] if makespan is None else [makespan]
+    return min(found, default=None)
+
+
+def _ends_of(leaf: int, until: dict[int, list[int]]) -> set[int]:
+    seen, stack = {leaf}, [leaf]
+    while stack:
+        fresh = set(until.get(stack.pop(), [])) - seen
+        seen |= fresh
+        stack += fresh
+    return seen
 
 
 def _earliest(
@@ -132,13 +147,17 @@ def _earliest(
     duration: dict[int, int],
     until: dict[int, list[int]],
     joint: dict[int, list[int]],
+    under_way: list[tuple[int, int]],
 ) -> int | None:
     start = dict(release)
     end = {leaf: start[leaf] for leaf in leaves}
-    for _ in range(4 * len(leaves) + 4):
+    for _ in range(8 * len(leaves) + 8):
         old = dict(start), dict(end)
         for first, second, way in before:
             start[second] = max(start[second], end[first] + way)
+        for open_ended, last in under_way:
+            length = max(duration[other] for other in joint[last])
+            start[last] = max(start[last], start[open_ended] + 1 - length)
         for leaf in leaves:
             start[leaf] = max(start[other] for other in joint[leaf])
             if leaf in until:

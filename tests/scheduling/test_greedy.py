@@ -143,12 +143,36 @@ def test_following_lasts_until_the_other_has_ended() -> None:
     assert result.status == "optimal"
 
 
-def test_following_until_something_that_is_over_ends_at_once() -> None:
-    """b is over at 2, a's following starts at 5: it ends as it starts."""
+def test_what_is_followed_to_its_end_waits_as_long_as_it_must() -> None:
+    """a's following starts at 5, after five seconds of work; b takes 2 s and may end a tick later, no sooner: 3.001 to 5.001."""
     made = mission(
         [Part("a", "r", [work(5), work(9, open_ended=True)]), Part("b", "s", [work(2)])], [("a", "b", "until")]
     )
-    assert times(made, schedule(made, robots("r"), robots("s")))["a.1"] == (5, 5)
+    result = schedule(made, robots("r"), robots("s"))
+    assert times(made, result) == {"a.0": (0, 5), "a.1": (5, 5.001), "b.0": (3.001, 5.001)}
+
+
+def test_one_robot_cannot_follow_until_it_has_done_something_else() -> None:
+    """With one robot proven impossible, whether by its type or by a link; with two there is a schedule."""
+    parts = [Part("a", "r", [work(5), work(9, open_ended=True)]), Part("b", "r", [work(2)])]
+    made = mission(parts, [("a", "b", "until")])
+    alone = schedule(made, robots("r"))
+    assert (alone.status, alone.reasons[0].rule) == ("infeasible", "until_needs_two")
+    assert schedule(made, robots("r", 2)).makespan_s == 5.001
+    held = schedule(mission(parts, [("a", "b", "until"), ("a", "b", "same_robot")]), robots("r", 2))
+    assert (held.status, held.reasons[0].rule) == ("infeasible", "until_needs_two")
+
+
+def test_of_two_that_may_end_last_one_waits() -> None:
+    """c (3 s) and d (1 s) stand below b; a's following starts at 5. One of the two ends at 5.001, the other need not wait."""
+    parts = [
+        Part("a", "r", [work(5), work(9, open_ended=True)]),
+        Group("b", [Part("c", "s", [work(3)]), Part("d", "t", [work(1)])]),
+    ]
+    result = schedule(made := mission(parts, [("a", "b", "until")]), robots("r"), robots("s"), robots("t"))
+    ends = sorted(times(made, result)[name][1] for name in ("c.0", "d.0"))
+    assert ends[0] <= 3
+    assert (ends[1], result.makespan_s) == (5.001, 5.001)
 
 
 def test_open_ended_without_until_lasts_its_duration() -> None:
@@ -199,6 +223,17 @@ def test_what_is_unknown_takes_no_travel_and_is_said() -> None:
     assert times(made, slow)["a.1"] == (1, 2)
     assert legs(made, slow)["a.1"] == (1, 1, 3)
     assert [reason.rule for reason in slow.assumptions] == ["speed_unknown"]
+
+
+def test_after_work_at_an_unknown_place_the_robot_is_somewhere_unknown() -> None:
+    """r-1 starts at 0, works 2 s where nobody knows and 1 s at p, 6 m from its start: the way there is no travel, and that is said."""
+    made = mission([Part("a", "r", [work(2, at="lost"), work(1, at="p")])])
+    result = schedule(made, robots("r", speed=1, position=at(0)), world=scene(p=6, lost=None))
+    assert times(made, result) == {"a.0": (0, 2), "a.1": (2, 3)}
+    assert [(reason.rule, reason.robot, reason.node) for reason in result.assumptions] == [
+        ("whereabouts_unknown", "r-1", "a.0")
+    ]
+    assert "because lost has no position" in result.assumptions[0].message
 
 
 def test_of_two_robots_the_nearer_goes() -> None:

@@ -68,7 +68,7 @@ def test_until_reaches_open_ended_actions_only() -> None:
         [Part("a", "r", [work(1), work(1, open_ended=True)]), Part("b", "r", [work(1)])], [("a", "b", "until")]
     )
     graph = graph_of(made)
-    assert graph.until == {graph.activity_of[made.node["a.1"]]}
+    assert graph.until == {graph.activity_of[made.node["a.1"]]: {graph.activity_of[made.node["b.0"]]}}
 
 
 def test_each_robot_has_a_topological_order_of_its_own() -> None:

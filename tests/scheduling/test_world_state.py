@@ -37,10 +37,10 @@ def test_who_moves_an_entity_waits_for_those_who_use_it() -> None:
     assert world.not_before(action(work(1, at="box"))) == 0
 
 
-def test_unknown_places_leave_a_worker_where_it_is_and_a_mover_nowhere() -> None:
+def test_unknown_places_leave_workers_and_movers_nowhere() -> None:
     world = state()
     world.do(world.robots["r-1"], action(work(1, at="lost")), 0, 1)
-    assert world.robots["r-1"].spot == at(1)
+    assert world.robots["r-1"].spot is None
     world.do(world.robots["r-1"], action(move("lost", "box")), 1, 2)
     assert world.robots["r-1"].spot is None
     assert world.entity("box").spot is None

@@ -132,6 +132,8 @@ class Replay:
             if action.moves:
                 own = self.move_time(leaf)
             end = self.until(leaf)
+            if end is not None and one.start_s > end - 0.001 + EPS:
+                yield f"{leaf} is not under way when what it lasts for ends"
             if end is not None:
                 own = end - one.start_s
             longest[key] = max(longest.get(key, 0.0), own)
@@ -169,9 +171,8 @@ class Replay:
             if earlier.leaf == one.leaf:
                 return spot
             action = self.action(earlier.leaf)
-            goal = self.entity_spot(action.at, earlier)
-            if action.moves or goal is not None:
-                spot = goal
+            if action.moves or action.at is not None:
+                spot = self.entity_spot(action.at, earlier)
         raise AssertionError("an action is not in its robot's timeline")
 
     def entity_spot(self, name: str | None, one: ScheduledAction) -> Position | None:

@@ -61,7 +61,11 @@ Stands = Collection[tuple[Spot, Mapping[str, float]]]
 def _may_get_lost(graph: TaskGraph, places: Places) -> set[str]:
     """Types with a move whose goal may be unknown."""
     actions = ((leaf, graph.tree.action(leaf)) for leaves in graph.roles.values() for leaf in leaves)
-    return {action.robot_type for leaf, action in actions if action.moves and None in places.of[leaf]}
+    return {
+        action.robot_type
+        for leaf, action in actions
+        if (action.moves or action.at is not None) and None in places.of[leaf]
+    }
 
 
 def _stands(kind: RobotType, trips: Trips) -> Stands:

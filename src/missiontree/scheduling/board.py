@@ -27,6 +27,7 @@ class Board:
         self.totals = {kind.id: dict(kind.total_limits) for kind in problem.fleet.types}
         self.time = [0] * len(self.graph.successors)
         self.missing = indegrees(self.graph.successors)
+        self.least_end: dict[int, int] = {}  # of activities that others must be under way for
         self.begun = dict.fromkeys(self.graph.roles, 0)  # actions of each role that are placed
         self.robot_of_group: dict[int, RobotState] = {}
         self.crew_of = problem.bundles.of_role if rule.crew == "bundle" else problem.crews

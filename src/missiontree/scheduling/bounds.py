@@ -100,10 +100,8 @@ class _Travel:
                 action, there = graph.tree.action(leaf), places.of[leaf]
                 if index:
                     self.previous[leaf] = here
-                if action.moves or (action.at is not None and None not in there):
+                if action.moves or action.at is not None:
                     here = there
-                elif action.at is not None:
-                    here = None  # at an unknown place the robot stays, wherever it was
                 if action.at is not None or action.moves:
                     spots |= there
         self._starts = {kind: set(trips.starts(kind)) for kind in visited}

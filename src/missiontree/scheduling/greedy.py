@@ -22,6 +22,7 @@ from missiontree.scheduling.bounds import lower_bounds
 from missiontree.scheduling.bundles import bundles_of, crews_of
 from missiontree.scheduling.holding import order_held_roles
 from missiontree.scheduling.impossible import budgets_exceeded, cycle_reason, group_needs, unreachable_places
+from missiontree.scheduling.overlap import overlaps_of_one_robot
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import task_graph
 from missiontree.scheduling.problem import Draft, Problem
@@ -65,6 +66,8 @@ def _read(
     staffing = staffing_of(graph)
     if reasons := staffing_conflicts(graph, staffing, fleet):
         return "staffing", reasons
+    if reasons := overlaps_of_one_robot(graph, staffing, fleet):
+        return "overlap", reasons
     order = order_held_roles(graph, staffing, fleet)
     if order is None:
         why = "One robot would be held in a role while waiting for another role that only it can fill"

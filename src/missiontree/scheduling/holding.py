@@ -2,7 +2,7 @@
 What holding adds to the order.
 
 A robot in a role does nothing else until the role is over. So if some action of role X must end before some action of role R
-starts, and one robot fills both, then all of X comes before all of R. Such orders may imply further ones, and in the end a
+ends, and one robot fills both, then all of X comes before all of R. Such orders may imply further ones, and in the end a
 cycle: the robot would be held while waiting for work that only it can do.
 """
 
@@ -81,6 +81,6 @@ def _implied(graph: TaskGraph, rivals: dict[int, list[int]], before: Sequence[in
     for role, others in rivals.items():
         seen = 0
         for leaf in graph.roles[role]:
-            seen |= before[graph.start(leaf)]
+            seen |= before[graph.end(leaf)]
         implied.extend((other, role) for other in others if seen >> other & 1)
     return implied

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from missiontree.estimation.travel import Blocked
@@ -10,6 +11,8 @@ from missiontree.scheduling.board import Board
 from missiontree.scheduling.casting import Casting
 from missiontree.scheduling.demand import Demands
 from missiontree.scheduling.stuck import StuckError
+from missiontree.scheduling.ticks import ticks
+from missiontree.scheduling.trips import Trip
 from missiontree.scheduling.world_state import RobotState
 
 
@@ -31,6 +34,16 @@ class Offer:
     start: int
     robots: dict[int, RobotState]
     mates: dict[int, RobotState]
+
+
+def length(board: Board, activity: int, trips: Mapping[int, Trip | Blocked | None]) -> int:
+    """Ticks that an activity takes by itself: as long as the slowest of those who do it; trips by leaf."""
+    if activity in board.graph.until:
+        return 0
+    return max(
+        trip.ticks if action.moves and isinstance(trip := trips[leaf], Trip) else ticks(action.duration_s)
+        for leaf, action in board.actions(activity)
+    )
 
 
 class Placing:
@@ -67,13 +80,20 @@ class Placing:
         start = ready
         for _, action in actions:
             start = max(start, self._arrival(robots[action.role], action, ready), board.world.not_before(action))
+        if activity in board.least_end:
+            trips = {leaf: self._demands.trip(robots[action.role].spot, action) for leaf, action in actions}
+            start = max(start, board.least_end[activity] - length(board, activity, trips))
         return Offer(start, robots, {role: chosen[role] for role in mates})
 
     def stand_in(self, activity: int, free: int) -> object | None:
         """A key that activities share if one's offer is the other's; None if this one's is its own. Robots are free from ``free``."""
         board, joint = self._board, self._board.graph.activities[activity]
         role = board.role(activity)
-        if len(joint) > 1 or (board.rule.crew != "none" and len(board.crews[board.crew_of[role]]) > 1):
+        if (
+            len(joint) > 1
+            or activity in board.least_end
+            or (board.rule.crew != "none" and len(board.crews[board.crew_of[role]]) > 1)
+        ):
             return None
         return board.problem.alike[role], max(board.time[2 * activity], free)
 

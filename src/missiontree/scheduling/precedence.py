@@ -33,7 +33,8 @@ class TaskGraph:
     roles
         Leaves of each reached role, in the order in which they are done.
     until
-        Activities that end when others do, see :class:`missiontree.mission.tree.Link`.
+        Activities that end when others do, see :class:`missiontree.mission.tree.Link`, with the activities of which the latest
+        sets their end. Those have an end of their own, and one of them must end after the start of what waits for it.
     successors
         For each event, the events that come no earlier. Activity a starts at event 2a and ends at 2a + 1; inner nodes follow.
     """
@@ -42,7 +43,7 @@ class TaskGraph:
     nodes: tuple[int, ...]
     activities: tuple[tuple[int, ...], ...]
     roles: dict[int, tuple[int, ...]]
-    until: frozenset[int] = frozenset()
+    until: Mapping[int, frozenset[int]] = field(default_factory=dict)
     successors: list[list[int]] = field(default_factory=list)
     activity_of: dict[int, int] = field(default_factory=dict)
     number: dict[int, int] = field(default_factory=dict)
@@ -181,13 +182,38 @@ def _connect(graph: TaskGraph) -> None:
             add[graph.end(before)].append(graph.start(after))
     for first, second in graph.links("precedence"):
         add[graph.end(first)].append(graph.start(second))
-    until = set()
+    _connect_until(graph)
+
+
+def _connect_until(graph: TaskGraph) -> None:
+    nodes: dict[int, list[int]] = {}
     for first, second in graph.links("until"):
         for leaf in graph.below(first):
             if graph.tree.action(leaf).open_ended and graph.below(second):
-                add[graph.end(second)].append(graph.end(leaf))
-                until.add(graph.activity_of[leaf])
-    graph.until = frozenset(until)
+                graph.successors[graph.end(second)].append(graph.end(leaf))
+                nodes.setdefault(graph.activity_of[leaf], []).append(second)
+    given = {
+        activity: {graph.activity_of[leaf] for second in seconds for leaf in graph.below(second)}
+        for activity, seconds in nodes.items()
+    }
+    graph.until = {activity: _of_their_own(activity, given) for activity in given}
+    for activity, seconds in nodes.items():
+        ends = {graph.end(seconds[0])} if len(seconds) == 1 else set()
+        roles = {graph.tree.action(leaf).role for one in graph.until[activity] for leaf in graph.activities[one][:1]}
+        if len(roles) == 1:
+            ends.add(2 * max(graph.until[activity], key=lambda one: graph.activities[one][0]) + 1)
+        # Else the latest of several ends counts, and nobody knows which that is.
+        graph.successors[2 * activity] += sorted(ends)
+
+
+def _of_their_own(activity: int, given: Mapping[int, set[int]]) -> frozenset[int]:
+    """Activities that set an end, through others that end with them."""
+    seen, stack = {activity}, [activity]
+    while stack:
+        fresh = given.get(stack.pop(), set()) - seen
+        seen |= fresh
+        stack += sorted(fresh)
+    return frozenset(seen - given.keys())
 
 
 def _cycles(successors: Sequence[Sequence[int]]) -> Iterator[list[int]]:

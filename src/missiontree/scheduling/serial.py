@@ -18,14 +18,14 @@ from missiontree.scheduling.casting import Casting
 from missiontree.scheduling.charging import charge
 from missiontree.scheduling.deadlock import deadlock_reason
 from missiontree.scheduling.demand import Demands
-from missiontree.scheduling.placing import Offer, Placing
+from missiontree.scheduling.placing import Offer, Placing, length
 from missiontree.scheduling.pool import Pool
 from missiontree.scheduling.precedence import indegrees
 from missiontree.scheduling.problem import Done, Draft, Problem, Rule
 from missiontree.scheduling.queues import Queues
 from missiontree.scheduling.stuck import StuckError
-from missiontree.scheduling.ticks import ticks
 from missiontree.scheduling.trips import Trip
+from missiontree.scheduling.under_way import UnderWay
 from missiontree.scheduling.world_state import RobotState
 
 _SMALL = 32  # leaves of a mission that is scheduled once even if time is up
@@ -51,6 +51,7 @@ class Run:
         self._queues = Queues(board, pool, Placing(board, self._casting, self._demands))
         self._bundle_missing = indegrees(problem.bundles.after)
         self._bundle_left = list(problem.bundles.leaves)
+        self._under_way = UnderWay(board)
         self._gated: dict[int, list[int]] = {}
 
     @property
@@ -97,6 +98,8 @@ class Run:
         crew = self._board.crew_of[self._board.role(activity)]
         if self._rule.crew == "bundle" and self._bundle_missing[crew]:
             self._gated.setdefault(crew, []).append(activity)
+        elif not self._under_way.lets(activity):
+            pass  # begins once all that must be under way by its end are
         elif self._board.opening(activity):
             self._queues.line_up(activity)
         else:
@@ -120,7 +123,7 @@ class Run:
         """Put an activity into the schedule."""
         board, actions = self._board, self._board.actions(activity)
         trips = {leaf: self._demands.trip(offer.robots[action.role].spot, action) for leaf, action in actions}
-        end = offer.start + self._length(activity, trips)
+        end = offer.start + length(board, activity, trips)
         for role, robot in offer.mates.items():
             self._casting.bind(role, robot)
             robot.promised = board.crew_of[role]
@@ -135,18 +138,11 @@ class Run:
         board.time[2 * activity + 1] = max(board.time[2 * activity + 1], end)
         for role in offer.mates:
             first = board.first(role)
-            if not board.missing[2 * first] and first not in board.placed:
+            if not board.missing[2 * first] and first not in board.placed and not self._under_way.holds(first):
                 self._queues.line_up(first)  # now in the queue of its own robot
+        for waiting in self._under_way.begun(activity):
+            self._may_begin(waiting)
         self._settle([2 * activity])
-
-    def _length(self, activity: int, trips: dict[int, Trip | Blocked | None]) -> int:
-        """Ticks that an activity takes by itself: as long as the slowest of those who do it."""
-        if activity in self._graph.until:
-            return 0
-        return max(
-            trip.ticks if action.moves and isinstance(trip := trips[leaf], Trip) else ticks(action.duration_s)
-            for leaf, action in self._board.actions(activity)
-        )
 
     def _do(self, leaf: int, action: Action, robot: RobotState, trip: Trip | None, start: int, end: int) -> None:
         board, role = self._board, action.role

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from missiontree.mission.alternative import Alternative, Assignment
 from missiontree.mission.certificate import Certificate
+from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
 from missiontree.scheduling.problem import Done, Draft, Problem
@@ -76,12 +77,18 @@ def _leg(one: Done, moves: bool) -> TravelLeg | None:
 def _assumptions(problem: Problem, draft: Draft) -> tuple[Reason, ...]:
     """What was taken for granted on the way, each thing once."""
     reasons: dict[tuple[str, str], Reason] = {}
+    lost: dict[str, Action] = {}  # by robot: the action that took it to where nobody knows
     for one in draft.done:
         kind = problem.fleet.type_of[one.robot]
-        trip = one.trip
+        trip, action = one.trip, problem.graph.tree.action(one.leaf)
         if trip is None or trip.destination is None:
+            if action.at is not None:
+                lost[one.robot] = action
             continue
-        if trip.origin is None:
+        if trip.origin is None and one.robot in lost:
+            reason = _whereabouts_unknown(problem, lost[one.robot], one.robot)
+            reasons.setdefault(("whereabouts_unknown", reason.message), reason)
+        elif trip.origin is None:
             reasons.setdefault(
                 ("start_unknown", one.robot),
                 Reason(
@@ -104,4 +111,19 @@ def _assumptions(problem: Problem, draft: Draft) -> tuple[Reason, ...]:
                     hint="Give the type the limit max_speed_mps.",
                 ),
             )
+        lost.pop(one.robot, None)
     return tuple(reasons[key] for key in sorted(reasons))
+
+
+def _whereabouts_unknown(problem: Problem, action: Action, robot: str) -> Reason:
+    entity = problem.trips.scene.by_id.get(action.at or "")
+    label = entity.label if entity is not None else action.at
+    return Reason(
+        rule="whereabouts_unknown",
+        message=f"Where {robot} is after {action.text!r} is not known, because {label} has no position; getting from there to its next "
+        "place is counted as no travel, or as a move's nominal time.",
+        severity="assumption",
+        node=action.text,
+        robot=robot,
+        hint=f"Give {label} a position, a last_seen or a search_area in the scene.",
+    )
