@@ -106,13 +106,13 @@ def fill(pool: Pool, core: Core, purses: Purses, control: Control) -> Relaxed:
     """
     repairs, unseen = max(2, REPAIRED_PARTS // len(core)), 0
     if repairs < STEPS:
-        unseen = STEPS // 3  # in large trees repairs take longer than sweeps, so the prices come first
+        unseen = STEPS // 3  # in large trees repairs take longer than sweeps, so after the first one the prices go ahead
     starts: list[tuple[int, Way]] = []
 
     def visit(picked: list[int], _: float) -> int | None:
         nonlocal repairs, unseen
         unseen -= 1
-        if repairs > 0 and (unseen < 0 or control.ended()):
+        if repairs > 0 and (unseen < 0 or pool.highest is None or control.ended()):
             repairs -= 1
             way = repaired(core, purses, picked)
             if way is not None:
