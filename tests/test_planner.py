@@ -123,7 +123,10 @@ def test_the_papers_other_missions_are_delivered(mission: str) -> None:
     assert made.outcome == "delivered", made.reasons
     assert made.tree is not None
     assert not made.tree.open_leaves
-    assert all(schedule.status in {"optimal", "feasible"} for schedule in made.schedules)
+    assert made.schedules[0].status in {"optimal", "feasible"}
+    # One social robot cannot keep the monster in sight and bring people to safety meanwhile; nothing else is in the way.
+    failed = [schedule for schedule in made.schedules if schedule.status not in {"optimal", "feasible"}]
+    assert all(schedule.reasons[0].rule == "until_needs_two" for schedule in failed)
 
 
 def test_restaurants_cannot_be_done_and_the_missing_capability_is_named() -> None:

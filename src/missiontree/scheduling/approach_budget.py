@@ -59,7 +59,7 @@ Stands = Collection[tuple[Spot, Mapping[str, float]]]
 
 
 def _may_get_lost(graph: TaskGraph, places: Places) -> set[str]:
-    """Types with a move whose goal may be unknown."""
+    """Types with an action whose place may be unknown; their robots may be anywhere afterwards."""
     actions = ((leaf, graph.tree.action(leaf)) for leaves in graph.roles.values() for leaf in leaves)
     return {
         action.robot_type
