@@ -2,6 +2,7 @@
 
 from missiontree.mission.estimate import Estimate
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, GroundedTree, Role
+from missiontree.mission.scene import Entity
 from missiontree.mission.tree import Link, MissionNode, MissionTree
 from missiontree.reporting.tree_shape import ShapeNode, link_words, shape_of
 
@@ -35,6 +36,20 @@ def test_authored_nodes() -> None:
     )
     assert shape.children == ((1, 2, 3), (), (), ())
     assert shape.frames == ()
+
+
+def noted(label: str, agent: str, *entities: Entity) -> str:
+    node = MissionNode(id="leaf", label=label, routine="Search", arguments={"agent": agent})
+    root = MissionNode(id="root", label="Help", gate="and", children=("leaf",))
+    return shape_of(MissionTree(objective="Help", nodes=(root, node), entities=entities)).nodes[1].note
+
+
+def test_label_hides_the_call_only_if_it_reads_as_that_call() -> None:
+    assert noted("Search(Red crate)", "red_crate") == ""
+    assert noted("Search(Cat)", "cat_2", Entity(id="cat_2", label="Cat")) == ""
+    assert noted("Search(Otto)", "lobby") == "Search(lobby)"
+    # Without the entity's own label at hand, what the scene calls it is no proof of who it is.
+    assert noted("Search(Cat)", "cat_2") == "Search(cat_2)"
 
 
 def test_links_are_sentences_and_equal_labels_are_told_apart() -> None:

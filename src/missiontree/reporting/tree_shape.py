@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -90,23 +90,31 @@ _SENTENCES: dict[LinkKind, str] = {
 
 def _authored(tree: MissionTree) -> Shape:
     number = {node.id: index for index, node in enumerate(tree.nodes)}
+    labels = {entity.id: entity.label for entity in tree.entities}
     return Shape(
-        nodes=tuple(_authored_node(node) for node in tree.nodes),
+        nodes=tuple(_authored_node(node, labels) for node in tree.nodes),
         children=tuple(tuple(number[child] for child in node.children) for node in tree.nodes),
         links=tuple((number[link.first], number[link.second], link.kind) for link in tree.links),
     )
 
 
-def _authored_node(node: MissionNode) -> ShapeNode:
+def _authored_node(node: MissionNode, labels: Mapping[str, str]) -> ShapeNode:
     label = one_line(node.label)
     if node.routine is None:
         return ShapeNode(node.id, label, "" if node.children else "no routine yet", "task", node.gate)
-    call = f"{node.routine}({', '.join(node.arguments.values())})"
-    # A label that already reads as the call, with labels for ids, says it all: "Search(Red crate)" for Search(red_crate).
-    notes = [] if label.startswith(f"{node.routine}(") else [call]
+    names = node.arguments.values()
+    call = f"{node.routine}({', '.join(names)})"
+    called = f"{node.routine}({', '.join(labels.get(name, name) for name in names)})"
+    # A label that already reads as the call says it all: "Search(Red crate)" for Search(red_crate); of any other call it would lie.
+    notes = [] if _folded(label) in {_folded(call), _folded(called)} else [call]
     if node.resources is not None:
         notes.append(f"only {_listed(node.resources)}")
     return ShapeNode(node.id, label, ", ".join(notes), "routine", None)
+
+
+def _folded(call: str) -> str:
+    """A call as calls are compared: letters, digits and what parts its arguments."""
+    return "".join(sign for sign in call.casefold() if sign.isalnum() or sign in "(,")
 
 
 def _listed(names: Sequence[str]) -> str:
