@@ -2,6 +2,7 @@ import pytest
 
 from missiontree.authoring.matching import (
     did_you_mean,
+    is_misspelt,
     is_near,
     listed,
     same_name,
@@ -77,3 +78,11 @@ def test_long_lists_say_how_much_is_left_out() -> None:
     # 25 names, 20 shown, hence 5 more.
     assert listed([f"n{number}" for number in range(25)]).endswith("n19 and 5 more")
     assert listed([]) == "none"
+
+
+def test_misspelt_is_an_accent_or_one_letter_of_a_word_of_four() -> None:
+    assert all(
+        is_misspelt(*pair) for pair in (("Ötto", "otto"), ("Li", "Lí"), ("toolbix", "Toolbox"), ("Wardd 3", "ward_3"))
+    )
+    # A word of three letters, a number and a second slip make another name.
+    assert not any(is_misspelt(*pair) for pair in (("cat", "cart"), ("Ward 3", "Ward 4"), ("Otta", "Utto"), ("", "")))

@@ -34,6 +34,61 @@ def test_them_are_those_named_together_though_one_of_them_is_a_plural() -> None:
     assert who(speakers((("keys", "wallet"),)), THEM) == ["Keys", "Wallet"]
 
 
+ROOMS = Scene(
+    places=(Entity(id="lobby", kind="place", label="Lobby"),),
+    entities=(
+        Entity(id="otto", kind="person", label="Otto"),
+        Entity(id="box_1", label="Box 1", traits=("red",)),
+        Entity(id="box_2", label="Box 2"),
+        Entity(id="box", label="Box"),
+    ),
+)
+
+
+def every(name: str, *states: str) -> Phrase:
+    return Phrase(name=name, text=f"all {name}", determined=True, every=True, states=states)
+
+
+def test_all_are_each_of_those_that_the_scene_has() -> None:
+    made = speakers(scene=ROOMS)
+    assert who(made, every("boxes")) == ["Box 1", "Box 2", "Box"]
+    assert who(made, every("boxes", "red")) == ["Box 1"]
+    assert who(made, every("places")) == ["Lobby"]
+    assert who(made, every("people")) == ["Otto"]
+
+
+def test_all_of_a_noun_are_those_that_a_number_or_letter_tells_apart() -> None:
+    labels = ("Ward Three", "Ward 4", "Gallery A", "Gallery B", "Ward Office")
+    places = tuple(Entity(id=label.lower().replace(" ", "_"), kind="place", label=label) for label in labels)
+    made = speakers(scene=Scene(places=places))
+    assert who(made, every("wards")) == ["Ward Three", "Ward 4"]
+    assert who(made, every("galleries")) == ["Gallery A", "Gallery B"]
+
+
+def test_all_that_the_scene_does_not_tell_apart_are_asked_for() -> None:
+    with pytest.raises(UnclearError, match="does not say which of Box 1, Box 2, Box are heavy"):
+        speakers(scene=ROOMS).resolve(every("boxes", "heavy"))
+
+
+def test_several_of_which_a_scene_has_none_are_asked_for_and_not_invented() -> None:
+    with pytest.raises(UnclearError, match="has no 'crates'; its objects are Box 1, Box 2, Box"):
+        Speakers(ROOMS, complete=True).resolve(every("crates"))
+    # Nobody wrote down what there is, so all crates may be.
+    assert who(Speakers(Scene()), every("crates")) == ["Crates"]
+
+
+@pytest.mark.parametrize("name", ["Ötto", "Botto", "Otot", "Ottp"])
+def test_name_that_is_nearly_one_of_the_scene_is_asked_for(name: str) -> None:
+    with pytest.raises(UnclearError, match=r"did you mean Otto\?"):
+        Speakers(ROOMS, complete=True).resolve(Phrase(name=name, text=name))
+
+
+@pytest.mark.parametrize("name", ["Ottokar", "Thomas", "Mrs Jones"])
+def test_name_that_is_like_none_of_the_scene_is_somebody_new(name: str) -> None:
+    (new,) = Speakers(ROOMS, complete=True).resolve(Phrase(name=name, text=name))
+    assert (new.label, new.kind, new.new, new.plural) == (name, "person", True, False)
+
+
 def test_them_are_the_two_named_one_by_one() -> None:
     assert who(speakers((("dog",),), (("cat",),)), THEM) == ["Dog", "Cat"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from missiontree.authoring.reading_places import place_said, stands_at
+from missiontree.authoring.reading_places import is_designation, place_said, stands_at
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Entity, Scene
 
@@ -59,3 +59,8 @@ def test_place_is_said_by_its_whole_name(description: str, place: str | None) ->
 )
 def test_entity_stands_at_a_place_or_not_or_nobody_knows(entity: str, place: str, expected: bool | None) -> None:
     assert stands_at(SCENE.by_id[entity], SCENE.by_id[place], SCENE) is expected
+
+
+def test_what_tells_places_of_one_noun_apart() -> None:
+    assert all(is_designation(word) for word in ("3", "three", "a", "b2"))
+    assert not any(is_designation(word) for word in ("hall", "great"))

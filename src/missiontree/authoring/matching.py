@@ -15,6 +15,7 @@ from collections.abc import Iterable
 _ARTICLES = frozenset({"the", "a", "an"})
 _LINKING_WORDS = frozenset({"and", "with", "of", "for", "to", "in", "on", "at", "from", "her", "his", "its", "their"})
 _LONG_WORD = 5
+_MISSPELT_WORD = 4
 _LONGEST_SHOWN = 80
 _LONGEST_COMPARED = 200
 _ALIKE = 0.5
@@ -50,6 +51,18 @@ def is_near(name: str, other: str) -> bool:
     return all(one == two or _one_slip(one, two) for one, two in zip(own, its, strict=True))
 
 
+def is_misspelt(name: str, other: str) -> bool:
+    """
+    Whether two names differ in accents alone, or by one letter in words of four letters and more; numbers must be equal.
+
+    For asking back only: who is called Otto may not be who is called Ottmar, or Ötto.
+    """
+    own, its = words_of(_without_accents(name)), words_of(_without_accents(other))
+    if not own or len(own) != len(its):
+        return False
+    return all(one == two or _one_slip(one, two, _MISSPELT_WORD) for one, two in zip(own, its, strict=True))
+
+
 def suggestions(name: str, known: Iterable[str], count: int = 3) -> list[str]:
     """Names that look most like the given one, best first; for a person or a model to pick from."""
     by_form = {same_name(candidate): candidate for candidate in known}
@@ -77,9 +90,14 @@ def quoted(name: str) -> str:
     return repr(name if len(name) <= _LONGEST_SHOWN else f"{name[:_LONGEST_SHOWN]}...")
 
 
-def _one_slip(one: str, two: str) -> bool:
+def _without_accents(name: str) -> str:
+    parts = unicodedata.normalize("NFD", name)
+    return "".join(part for part in parts if not unicodedata.combining(part))
+
+
+def _one_slip(one: str, two: str, shortest: int = _LONG_WORD) -> bool:
     """Whether two long words of one script differ by one letter left out, put in, changed, or by two swapped."""
-    if min(len(one), len(two)) < _LONG_WORD or _scripts(one) != _scripts(two) or _has_digit(one + two):
+    if min(len(one), len(two)) < shortest or _scripts(one) != _scripts(two) or _has_digit(one + two):
         return False
     start = 0
     while start < min(len(one), len(two)) and one[start] == two[start]:

@@ -87,7 +87,9 @@ def _order_as_said(
     """Then, before, after, while, until."""
     stage: list[Piece] = []
     earlier: list[Piece] = []
-    for goal, pieces, (relation, anchor) in zip(goals, tops, _relations(goals), strict=True):
+    relations = _relations(goals)
+    beside = _beside(tops, relations)
+    for index, (goal, pieces, (relation, anchor)) in enumerate(zip(goals, tops, relations, strict=True)):
         others = tops[anchor] if anchor is not None and anchor < len(tops) else []
         if relation in {"before", "after"}:
             first, second = (others, pieces) if relation == "before" else (pieces, others)
@@ -99,8 +101,23 @@ def _order_as_said(
                 stage, earlier = [], stage
             elif relation == "start":
                 stage, earlier = [], []
-            _all_before(earlier, pieces, made)
-            stage = [*stage, *pieces]
+            together = [*pieces, *beside.get(index, [])]
+            _all_before(earlier, together, made)
+            stage = [*stage, *together]
+
+
+def _beside(tops: Sequence[list[Piece]], relations: Sequence[tuple[Relation, int | None]]) -> dict[int, list[Piece]]:
+    """What goes on while each clause does: a "then" before or behind that clause is said of both."""
+    beside: dict[int, list[Piece]] = {}
+    for index, pieces in enumerate(tops):
+        main: int | None = index
+        for _ in relations:  # "while this, while that, do it": both go on beside the last
+            if main is None or main >= len(tops) or relations[main][0] != "while":
+                break
+            main = relations[main][1]
+        if main is not None and main != index and main < len(tops):
+            beside.setdefault(main, []).extend(piece for piece in pieces if piece not in tops[main])
+    return beside
 
 
 def _relations(goals: Sequence[Goal]) -> list[tuple[Relation, int | None]]:

@@ -18,8 +18,10 @@ _WORD = re.compile(r"\w+(?:['\-.,:]\w+)*|\S")
 _QUOTES = str.maketrans(
     {"’": "'", "‘": "'", "“": " ", "”": " ", '"': " ", "„": " ", "«": " ", "»": " ", "‐": "-", "‑": "-"}
 )
+_BLANK_BEFORE_SIGN = re.compile(r" (?=[,)])")
 _STOPS = frozenset(".!?;:")
 _AUXILIARIES = frozenset({"is", "are", "be", "gets", "been"})
+_DOERS = frozenset({"you", "we", "they", "the robots", "the robot", "a robot", "robots"})
 _MODALS = frozenset({"must", "should", "shall"})
 _COORDINATE = frozenset({"and", "then", "meanwhile"})
 _SUBORDINATE = frozenset({"before", "after", "while", "until"})
@@ -74,7 +76,7 @@ class Clause:
     @property
     def text(self) -> str:
         """The words as they were written."""
-        return " ".join(word.text for word in self.words)
+        return _BLANK_BEFORE_SIGN.sub("", " ".join(word.text for word in self.words))
 
 
 def words_of_text(text: str) -> tuple[Word, ...]:
@@ -292,11 +294,15 @@ def _without_passed_over(words: list[Word], lexicon: Lexicon) -> tuple[list[Word
 
 def _active(words: list[Word], lexicon: Lexicon, *, is_event: bool) -> list[Word]:
     """
-    Turn "the forklift must be found" into "find the forklift"; other words stay as they are.
+    Turn "the forklift must be found" and "you have found the forklift" into "find the forklift"; other words stay as they are.
 
     "The forklift is found" asks for something only as an event that something else waits for; alone it is a statement.
     """
     lows = [word.low for word in words]
+    if is_event and (place := next((at for at in (1, 2) if lows[at : at + 1] in (["have"], ["has"])), 0)):
+        verb = lexicon.verb_at(lows, place + 1, "past")
+        if verb is not None and " ".join(lows[:place]) in _DOERS:
+            return [*(Word(part, part) for part in verb.phrase.split()), *words[place + 1 + verb.length :]]
     for place in range(1, min(len(lows), MAX_CLAUSE_WORDS)):
         if lows[place] not in _AUXILIARIES:
             continue

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
+from missiontree.authoring.matching import is_misspelt, listed
 from missiontree.authoring.reading_phrases import Phrase, is_plural, kind_of_phrase
-from missiontree.authoring.reading_places import place_said, plain, spellings, stands_at
+from missiontree.authoring.reading_places import is_designation, place_said, plain, spellings, stands_at
 from missiontree.mission.scene import Entity, Scene
 
 _SMALL = frozenset(
@@ -34,6 +35,18 @@ _SMALL = frozenset(
 )
 
 
+# "All places" are all that the scene has, of whatever kind it says they are.
+_BASES = {
+    "place": ("place",),
+    "location": ("place",),
+    "site": ("place",),
+    "object": ("object",),
+    "thing": ("object",),
+    "item": ("object",),
+    "animal": ("animal",),
+    "person": ("person",),
+}
+_PLURAL = {"place": "places", "object": "objects", "animal": "animals", "person": "people"}
 _INFANTS = frozenset({"child", "baby", "infant", "toddler"})  # may be "it"
 
 
@@ -84,9 +97,10 @@ class UnclearError(Exception):
 
 @dataclass
 class Speakers:
-    """All that was mentioned so far, in a world."""
+    """All that was mentioned so far, in a world; ``complete`` if somebody wrote down what it has."""
 
     scene: Scene
+    complete: bool = False
     described: dict[str, str] = field(default_factory=dict)
     said: list[list[tuple[Mention, ...]]] = field(default_factory=list)
     """Mentions clause by clause, those that were named together in one."""
@@ -114,7 +128,7 @@ class Speakers:
         if phrase.pronoun:
             return self._antecedent(phrase)
         found = self._at_place(self._in_scene(phrase), phrase)
-        if len(found) > 1 and not is_plural(phrase.name):
+        if len(found) > 1 and not phrase.several:
             options = ", ".join(sorted(entity.id for entity in found))
             raise UnclearError(f"{phrase.text!r} may be any of {options}; say which one")
         if found:
@@ -122,7 +136,31 @@ class Speakers:
         if like := [entity for entity in self.scene.all_entities if self._is_like(entity, phrase)]:
             options = ", ".join(sorted(entity.label for entity in like))
             raise UnclearError(f"the scene has {options}, and none of them is called {phrase.name!r}")
+        self._refuse_misspelt(phrase)
+        self._refuse_none(phrase)
         return (self._introduced(phrase),)
+
+    def _refuse_misspelt(self, phrase: Phrase) -> None:
+        """A name that is nearly one of the scene is no name of somebody new."""
+        everyone = self.scene.all_entities
+        near = [e for e in everyone if any(is_misspelt(phrase.name, s) for s in (e.id, e.label, *e.aliases))]
+        if near:
+            options = " or ".join(sorted({entity.label for entity in near}))
+            raise UnclearError(
+                f"nobody and nothing is called {phrase.name!r}; did you mean {options}? "
+                "If not, declare who is meant in the scene"
+            )
+
+    def _refuse_none(self, phrase: Phrase) -> None:
+        """Several of which the scene has none are not one thing that it forgot."""
+        if not (self.complete and phrase.several):
+            return
+        kind = kind_of_phrase(phrase)
+        alike = [e.label for e in self.scene.all_entities if kind in {None, self.scene.base_kind(e.kind)}]
+        raise UnclearError(
+            f"the scene has no {phrase.name!r}; its {_PLURAL.get(kind or '', 'entities')} are {listed(alike)}. "
+            "Name those that are meant, or declare them in the scene"
+        )
 
     def implied(self, name: str, kind: str, known_as: tuple[str, ...] = ()) -> Mention:
         """Somebody whom a method needs: of the scene under one of the names, or introduced."""
@@ -147,18 +185,21 @@ class Speakers:
     def _in_scene(self, phrase: Phrase) -> list[Entity]:
         everyone, name = self.scene.all_entities, plain(phrase.name)
         forms = _singular(name)
-        groups = (
-            [e for e in everyone if spellings(e) & {name, plain(phrase.full)}],
-            [e for e in everyone if spellings(e) & set(forms)],
-            [e for e in everyone if self._is_called(e, name)],
-        )
+        exact = [e for e in everyone if spellings(e) & {name, plain(phrase.full)}]
+        single = [e for e in everyone if spellings(e) & set(forms)]
+        called = [e for e in everyone if self._is_called(e, name)]
+        if phrase.several:
+            bases = {base for form in forms for base in _BASES.get(form, ())}
+            called = [e for e in everyone if e in single or e in called or self.scene.base_kind(e.kind) in bases]
+            single = []
+        groups = (exact, single, called)
         found = next((group for group in groups if group), [])
         return self._narrowed(found, phrase)
 
     def _is_like(self, entity: Entity, phrase: Phrase) -> bool:
         """Whether an entity goes by the same noun, but for what is said before or behind it."""
         words = plain(phrase.name).split()
-        noun = words[-2] if len(words) > 1 and words[-1].isdigit() else words[-1]
+        noun = words[-2] if len(words) > 1 and is_designation(words[-1]) else words[-1]
         return len(words) > 1 and self._is_called(entity, noun)
 
     def _is_called(self, entity: Entity, name: str) -> bool:
@@ -168,7 +209,10 @@ class Speakers:
         kinds = {plain(kind) for kind in self.scene.lineage(entity.kind)} - {"object", "place"}
         heads = {spelling.split()[-1] for spelling in spellings(entity) if spelling} | kinds
         heads |= {
-            word for spelling in spellings(entity) for word in spelling.split()[-2:-1] if spelling.split()[-1].isdigit()
+            word
+            for spelling in spellings(entity)
+            for word in spelling.split()[-2:-1]
+            if is_designation(spelling.split()[-1])
         }
         return any(form in heads for form in _singular(last)) and set(before) <= words | traits | kinds
 
@@ -180,6 +224,9 @@ class Speakers:
         fitting = [e for e in found if said & {word for trait in e.traits for word in plain(trait).split()}]
         if not fitting and phrase.lost:
             fitting = [entity for entity in found if self.scene.whereabouts(entity).source != "known"]
+        if not fitting and phrase.several and phrase.states:
+            states = " and ".join(phrase.states)
+            raise UnclearError(f"the scene does not say which of {', '.join(e.label for e in found)} are {states}")
         return fitting or found
 
     def _of_scene(self, entity: Entity, phrase: Phrase) -> Mention:
@@ -193,7 +240,7 @@ class Speakers:
             new=False,
             known=self.scene.whereabouts(entity).source == "known",
             lost=phrase.lost or entity.id in self.lost,
-            plural=is_plural(phrase.name),
+            plural=phrase.several,
         )
 
     def _introduced(self, phrase: Phrase) -> Mention:
@@ -203,7 +250,7 @@ class Speakers:
             raise UnclearError(
                 f"it is not clear whether {phrase.text!r} is the {phrase.name} of before; give them different names"
             )
-        plural, kind = is_plural(phrase.name), kind_of_phrase(phrase)
+        plural, kind = phrase.several, kind_of_phrase(phrase)
         if kind is None and not (phrase.determined or plural or phrase.name[-1].isdigit()):
             raise UnclearError(f"{phrase.text!r} is no noun that is known; say 'the {phrase.name}' if it is a thing")
         return Mention(

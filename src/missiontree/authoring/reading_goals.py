@@ -11,19 +11,20 @@ from missiontree.authoring.method_outline import Outline, StepError, fill, leaf_
 from missiontree.authoring.method_patterns import Span, first_words, matches
 from missiontree.authoring.methods import RESPONDER, Method, MethodLibrary
 from missiontree.authoring.reading import MAX_CLAUSE_WORDS, Clause, Word
+from missiontree.authoring.reading_advice import RobotAdvice
 from missiontree.authoring.reading_candidates import Candidate, candidates
 from missiontree.authoring.reading_entities import Mention, Speakers, UnclearError
 from missiontree.authoring.reading_outcomes import Goal, Trouble, Unserved, trouble
 from missiontree.authoring.reading_phrases import Phrase, PhraseReader
 from missiontree.authoring.reading_places import stands_at
 from missiontree.authoring.reading_remarks import Read, Said, reading_line, unused_words
-from missiontree.authoring.reading_robots import named_robots
 from missiontree.authoring.reading_statements import Statement, statement_of
 from missiontree.authoring.reading_wording import plain_order, receiver_behind, with_object
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.reason import Reason
 
 Bindings = dict[str, tuple[Mention, ...]]
+_ALIKE = 0.82  # "serch" is like "search"; "send" is not like "mend"
 
 
 @dataclass
@@ -55,15 +56,18 @@ class GoalReader:
             for form in (name.lower(), name.lower().replace("_", " ").replace("-", " "))
         }
         self.phrases = PhraseReader(self.lexicon, names)
-        self.speakers = Speakers(world)
-        self._robots = named_robots(self.brief.fleet, frozenset(names))
+        self.speakers = Speakers(world, complete=self.brief.scene is not None)
+        self._advice = RobotAdvice(self.brief.fleet, frozenset(names), self.lexicon)
 
     def read(self, clause: Clause, following: Clause | None = None) -> Goal | Unserved | Trouble:
         """What a clause asks for; ``following`` lends its object to a clause that has none ("find and rescue the dog")."""
         self.speakers.next_clause()
         if clause.decisive:
             words = ", ".join(repr(word) for word in clause.decisive)
-            return trouble("decisive_words", clause, f"the offline author does not know what to make of {words} there")
+            detail = f"the offline author does not know what to make of {words} there"
+            return trouble("decisive_words", clause, detail, self._advice.on_leaving_out(clause))
+        if single := self._advice.single(clause):
+            return trouble("single_robot", clause, single)
         if clause.verb is None:
             stated = statement_of(clause, self.phrases, self.lexicon)
             return self._no_verb(clause) if stated is None else self._stated(clause, stated)
@@ -173,20 +177,17 @@ class GoalReader:
     def _refuse_robots(self, phrases: Iterable[Phrase]) -> None:
         """Who shall do it is no description of whom it is done to."""
         for phrase in phrases:
-            named = self._robots.within([low.removesuffix("'s") for low in phrase.text.lower().split()])
+            named = self._advice.named_in(phrase.text)
             if named and phrase.name.lower() not in self.phrases.known:
-                way = f"say who does it as in 'with the {named[0][0]}' or 'use the {named[0][0]} to ...'"
-                raise UnclearError(f"{named[0][0]!r} is a robot of the fleet; {way}")
+                raise UnclearError(self._advice.on(named[0]))
 
     def _refuse_instruments(self, phrases: Iterable[Phrase]) -> None:
         """What it shall be done with is no description either, if it is no robot of the fleet."""
         for phrase in phrases:
             lows = phrase.description.lower().split()
             if lows[:1] == ["with"] and lows[-1] in self.lexicon.words["instruments"]:
-                types = ", ".join(kind.label for kind in self.brief.fleet.types)
-                raise UnclearError(
-                    f"{phrase.description!r} may say who does it, and names no robot of the fleet ({types})"
-                )
+                named = f"names no robot of the fleet ({self._advice.types})"
+                raise UnclearError(f"{phrase.description!r} may say who does it, and {named}")
 
     def _refuse_two_places(self, phrases: tuple[Phrase, ...]) -> None:
         """In "the child in the park and the forest" the forest is no second child."""
@@ -237,9 +238,12 @@ class GoalReader:
         return complete
 
     def _no_verb(self, clause: Clause) -> Trouble:
+        detail, hint = self._advice.on_order(clause)
+        if detail:
+            return trouble("robot_unclear", clause, detail, hint)
         first = clause.words[0].low
         verbs = [phrase for phrase in self.lexicon.goals_of if " " not in phrase]
-        near = difflib.get_close_matches(first[:40], verbs, n=2, cutoff=0.75)
+        near = difflib.get_close_matches(first[:40], verbs, n=2, cutoff=_ALIKE)
         hint = f"Did you mean {' or '.join(map(repr, near))}? " if near else ""
         begin = f"{hint}Begin with what is to be done: 'Find ...', 'Bring ... to ...'."
         return trouble("verb_unknown", clause, "it does not begin with a verb that is known", begin)

@@ -12,6 +12,7 @@ from missiontree.authoring.reading import Word
 
 MAX_NAME_WORDS = 5
 MAX_PHRASE_WORDS = 24
+_SINGULAR = frozenset({"gas", "lens", "canvas", "atlas", "news"})
 # A description that holds one of these says what is to be done, or with what, and not who is meant.
 _NOT_DESCRIBING = frozenset(
     {
@@ -60,6 +61,8 @@ class Phrase:
         ``thing``, ``person``, ``several`` or ``place`` if it is a pronoun; empty if it is not.
     lost
         Whether the words say that nobody knows where it is, or that it cannot come by itself.
+    every
+        Whether all that are called so are meant: "all crates".
     text
         As it was written.
     """
@@ -71,6 +74,13 @@ class Phrase:
     description: str = ""
     pronoun: str = ""
     lost: bool = False
+    every: bool = False
+
+    @property
+    def several(self) -> bool:
+        """Whether more than one is meant, going by the words: "all staff", "crates"; not "Thomas", which is a name."""
+        name_of_its_own = not self.determined and self.name[:1].isupper() and kind_of(self.name) is None
+        return self.every or (is_plural(self.name) and not name_of_its_own)
 
     @property
     def full(self) -> str:
@@ -122,7 +132,10 @@ class PhraseReader:
         name = " ".join(word.low for word in words[start:])
         if name not in self.known:
             return None
-        return Phrase(name=" ".join(w.text for w in words[start:]), text=_text(words), determined=start > 0)
+        every = start > 0 and words[0].low == "all"
+        return Phrase(
+            name=" ".join(w.text for w in words[start:]), text=_text(words), determined=start > 0, every=every
+        )
 
     def _one(self, words: tuple[Word, ...]) -> Phrase | None:
         if not words or len(words) > MAX_PHRASE_WORDS:
@@ -150,6 +163,7 @@ class PhraseReader:
             states=tuple(word.low for word in states),
             description=_text(behind),
             lost=any(word.low in self._small["lost"] for word in (*states, *behind)),
+            every=start > 0 and words[0].low == "all",
         )
 
     def _belonging(self, behind: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Word, ...]]:
@@ -290,7 +304,7 @@ def is_plural(name: str) -> bool:
     """Whether the noun looks like more than one."""
     last = name.lower().split()[-1]
     return last in {"people", "men", "women", "children", "mice", "geese"} or (
-        last.endswith("s") and not last.endswith(("ss", "us", "is"))
+        last.endswith("s") and not last.endswith(("ss", "us", "is")) and last not in _SINGULAR
     )
 
 

@@ -6,6 +6,9 @@ from missiontree.mission.position import Position
 from missiontree.mission.scene import Entity, Scene
 
 _AT = frozenset({"in", "at", "inside", "from", "on"})
+_NUMBERS = frozenset(
+    {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"}
+)
 _DETERMINERS = frozenset({"the", "a", "an", "my", "your", "his", "her", "its", "our", "their"})
 
 
@@ -52,6 +55,11 @@ def _line(entity: Entity, scene: Scene) -> list[str]:
 def plain(text: str) -> str:
     """The text as names are compared: small letters, words separated by single spaces."""
     return " ".join(text.casefold().replace("_", " ").replace("-", " ").split())
+
+
+def is_designation(word: str) -> bool:
+    """Whether a word behind a noun tells it from others of the same noun: "ward 3", "ward three", "gallery A", "dock B2"."""
+    return word in _NUMBERS or len(word) == 1 or any(sign.isdigit() for sign in word)
 
 
 def spellings(entity: Entity) -> set[str]:
