@@ -106,7 +106,8 @@ def fill(pool: Pool, core: Core, purses: Purses, control: Control) -> Relaxed:
     """
     repairs, unseen = max(2, REPAIRED_PARTS // len(core)), 0
     if repairs < STEPS:
-        unseen = STEPS // 3  # in large trees repairs take longer than sweeps, so after the first one the prices go ahead
+        # In large trees repairs take longer than sweeps; after the first one the prices go ahead.
+        unseen = STEPS // 3
     starts: list[tuple[int, Way]] = []
 
     def visit(picked: list[int], _: float) -> int | None:
