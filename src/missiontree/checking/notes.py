@@ -34,10 +34,11 @@ def note_dropped(case: Case) -> Iterator[Fault]:
 
 
 def remark_dropped(case: Case) -> Iterator[Fault]:
-    """A remark that the dialogue ends with stands in the plan neither as a notice nor as an assumption."""
-    said = {*case.plan.notices, *case.plan.assumptions}
+    """A remark that the dialogue ends with stands in the plan neither as a notice nor as an assumption or a finding."""
+    said = {*case.plan.notices, *case.plan.assumptions, *case.plan.findings}
+    found = {finding.rule for finding in case.plan.findings}  # grounding may find what the author was warned of
     for remark in case.ending("remarks"):
-        if remark not in said:
+        if remark not in said and not (remark.severity == "warning" and remark.rule in found):
             yield Fault(
                 f"the plan leaves out what its author remarked: {remark.message}",
                 node=remark.node,
