@@ -238,7 +238,8 @@ def _outcome(
     if any(schedule.status in {"optimal", "feasible"} for schedule in schedules):
         return "delivered", ()
     unscheduled = [reason for schedule in schedules for reason in schedule.reasons]
-    proven = ranking.status == "exact" and all(schedule.status == "infeasible" for schedule in schedules)
+    no_more = ranking.status == "exact" and ranking.certificate.bound is None
+    proven = no_more and all(schedule.status == "infeasible" for schedule in schedules)
     return ("cannot_be_done" if proven else "exhausted"), _distinct([*ranking.reasons, *unscheduled]) or (
         NOTHING_FOUND,
     )
