@@ -11,7 +11,7 @@ from missiontree import Plan, check, plan
 from missiontree.briefing import request_from
 from missiontree.errors import InputError
 from missiontree.formats.document import read_text, write_text
-from missiontree.llm.scripted import ScriptedModel
+from missiontree.llm.scripted import ScriptedModel, Turn
 from missiontree.mission.control import Control
 from missiontree.mission.routine import ActionStep, Argument, Branch, RoleSpec, Routine
 from missiontree.planner import plan_request
@@ -209,7 +209,7 @@ def test_a_chat_model_of_ones_own_can_build_the_tree() -> None:
         "treeArguments": [["cat"]],
         "LogicalConstraint": "AND",
     }
-    turn = [
+    turn: Turn = [
         ("HierarchicalTree_init", {"objective": "Find the cat"}),
         ("attachMultiSubTrees", attached),
         ("plotTree", {}),

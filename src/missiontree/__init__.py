@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from missiontree.mission.position import Position
     from missiontree.mission.scene import Entity, Scene
     from missiontree.planner import plan
-    from missiontree.routines.python import routine
     from missiontree.reporting.text import plan_text
+    from missiontree.routines.python import routine
 
 __version__ = "0.1.0"
 

@@ -1247,7 +1247,7 @@ def impossibility_invented(plan: Plan) -> Iterator[Plan]:
 @breaks("outcome_contradicted")
 def outcome_of_another_stage(plan: Plan) -> Iterator[Plan]:
     for outcome in ("incomplete", "provider_failed"):
-        yield replace(plan, outcome=outcome, ranking=None, schedules=(), reasons=(WHY,))  # type: ignore[arg-type]
+        yield replace(plan, outcome=outcome, ranking=None, schedules=(), reasons=(WHY,))
 
 
 @breaks("reason_invented")

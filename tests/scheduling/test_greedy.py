@@ -165,7 +165,7 @@ def test_one_robot_cannot_follow_until_it_has_done_something_else() -> None:
 
 def test_of_two_that_may_end_last_one_waits() -> None:
     """c (3 s) and d (1 s) stand below b; a's following starts at 5. One of the two ends at 5.001, the other need not wait."""
-    parts = [
+    parts: list[Part | Group] = [
         Part("a", "r", [work(5), work(9, open_ended=True)]),
         Group("b", [Part("c", "s", [work(3)]), Part("d", "t", [work(1)])]),
     ]

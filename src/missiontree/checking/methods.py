@@ -6,9 +6,7 @@ RANKING_PROOFS = frozenset({"lazy_k_best", "k_best_per_state", "pool", "enumerat
 BOUND_PROOFS = frozenset({"critical_path", "load"})
 """Why no schedule is shorter."""
 
-IMPOSSIBILITY_PROOFS = frozenset(
-    {"precedence", "staffing", "overlap", "holding", "overlap", "reachability", "budget_bound"}
-)
+IMPOSSIBILITY_PROOFS = frozenset({"precedence", "staffing", "overlap", "holding", "reachability", "budget_bound"})
 """Why there is no schedule."""
 
 SEARCHES = frozenset({"serial_generation"})
