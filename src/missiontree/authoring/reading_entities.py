@@ -47,6 +47,7 @@ _BASES = {
     "person": ("person",),
 }
 _PLURAL = {"place": "places", "object": "objects", "animal": "animals", "person": "people"}
+_WHERE = ("in ", "at ", "inside ", "from ", "on ")
 _INFANTS = frozenset({"child", "baby", "infant", "toddler"})  # may be "it"
 
 
@@ -267,6 +268,8 @@ class Speakers:
         """Those that are where the words say; all if the scene does not know."""
         place = place_said(phrase.description, self.scene) if found else None
         if place is None:
+            if found and self.complete and phrase.several and phrase.description.lower().startswith(_WHERE):
+                raise UnclearError(f"the scene does not say which of {phrase.name} are {phrase.description!r}")
             return found
         stands = {entity.id: stands_at(entity, place, self.scene) for entity in found}
         there = [entity for entity in found if stands[entity.id]]
