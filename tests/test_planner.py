@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from missiontree import Plan, check, plan
+from missiontree import Entity, Fleet, Plan, Position, RobotType, Scene, check, plan
 from missiontree.briefing import request_from
 from missiontree.errors import InputError
 from missiontree.formats.document import read_text, write_text
@@ -246,3 +246,17 @@ def test_inputs_that_do_not_fit_together_are_refused(tmp_path: Path) -> None:
     (tmp_path / "fleet.yaml").write_text("types: [{id: a, count: 1, place: moon, capabilities: {search: 1}}]")
     with pytest.raises(InputError, match="place 'moon'"):
         plan("Find the cat", fleet=tmp_path / "fleet.yaml")
+
+
+def test_a_single_way_is_proven_shortest() -> None:
+    """What a role does before it sets out comes on top of the way: 5 s to get the location, then 20 m at 2 m/s."""
+    fleet = Fleet(
+        (
+            RobotType(
+                id="rover", count=1, position=Position(0, 0), capabilities={"reach": 1}, limits={"max_speed_mps": 2}
+            ),
+        )
+    )
+    scene = Scene(places=(Entity(id="hut", position=Position(20, 0)),))
+    made = plan("Go to the hut", fleet=fleet, scene=scene)
+    assert (made.schedules[0].makespan_s, made.schedules[0].status) == (15.0, "optimal")

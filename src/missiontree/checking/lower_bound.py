@@ -86,7 +86,7 @@ class _Bound:
         for leaf, action in self._actions.items():
             self._add(self._start(leaf), self._end(leaf), self._length[self._group[leaf]])
             there = self._end(leaf) if action.moves else self._start(leaf)
-            self._release[there] = max(self._release.get(there, 0), self._arrival(action, leaf))
+            self._release[there] = max(self._release.get(there, 0), self._arrival(action, leaf) + self._standing(leaf))
         for later, earlier in self._before.items():
             weight = 0 if self._actions[later].moves else self._wait[later]
             self._add(self._end(earlier), self._start(later), weight)
@@ -130,6 +130,16 @@ class _Bound:
                 return self._haunts.of_leaf(earlier)
             earlier = self._before.get(earlier)
         return None
+
+    def _standing(self, leaf: int) -> int:
+        """Least ticks of what a role does before its first place: a robot stands still meanwhile, wherever it came from."""
+        if self._actions[leaf].at is None or self._here(leaf) is not None:
+            return 0
+        ticks, earlier = 0, self._before.get(leaf)
+        while earlier is not None:
+            ticks += self._length[self._group[earlier]]
+            earlier = self._before.get(earlier)
+        return ticks
 
     def _way(self, action: Action, origin: Spot, goal: Spot) -> int:
         kind = self._case.fleet.by_id[action.robot_type]

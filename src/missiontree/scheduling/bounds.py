@@ -173,14 +173,34 @@ def _least_duration(graph: TaskGraph, activity: int, travel: _Travel) -> int:
 
 
 def _releases(graph: TaskGraph, travel: _Travel, duration: Sequence[int]) -> dict[int, int]:
+    """
+    Ticks before which an action with a place cannot start, or a move cannot end.
+
+    What a role does before its first place is done by a robot that stands still, so it comes on top of every way there.
+    """
+    still = _stood_still(graph, duration)
     release: dict[int, int] = {}
     for activity, leaves in enumerate(graph.activities):
         for leaf in leaves:
             action = graph.tree.action(leaf)
             if action.at is not None:
                 event = 2 * activity + action.moves
-                release[event] = max(release.get(event, 0), travel.arrival(leaf))
+                release[event] = max(release.get(event, 0), travel.arrival(leaf) + still.get(leaf, 0))
     return release
+
+
+def _stood_still(graph: TaskGraph, duration: Sequence[int]) -> dict[int, int]:
+    """Least time that a role takes before its first action with a place, by that action."""
+    still: dict[int, int] = {}
+    for leaves in graph.roles.values():
+        ticks_before = 0
+        for leaf in leaves:
+            action = graph.tree.action(leaf)
+            if action.at is not None or action.moves:
+                still[leaf] = ticks_before
+                break
+            ticks_before += duration[graph.activity_of[leaf]]
+    return still
 
 
 def _longest_paths(
