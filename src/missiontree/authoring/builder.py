@@ -228,7 +228,7 @@ class TreeBuilder:
         """Add a link between two nodes that there are."""
         tree = self._begun()
         link = Link(self._node(tree, first).id, self._node(tree, second).id, kind)
-        check_links(tree, [link])
+        check_links(tree, [link], self.brief.routines)
         state = replace(self.state, tree=with_links(tree, [link]))
         return self._done(state, {"link": [link.first, link.second, name_of_kind(kind)]})
 
@@ -335,7 +335,7 @@ class TreeBuilder:
         for first, second, kind in pairs:
             ends = [find_node(grown, end, nodes, names, self.brief.routines, cast) for end in (first, second)]
             links.append(Link(ends[0].id, ends[1].id, kind))
-        check_links(grown, links)
+        check_links(grown, links, self.brief.routines)
         gates = FrozenMap({**self.state.gates, above.id: gate})
         state = replace(self.state, tree=with_links(grown, links), gates=gates)
         data: dict[str, Any] = {"parent": above.id, "added": named(nodes)}

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from missiontree.authoring.links import MAX_LINKS, circle_in_words
+from missiontree.authoring.links import MAX_LINKS, circle_in_words, not_open_ended
 from missiontree.authoring.matching import did_you_mean, listed
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.precedence import event_graph
 from missiontree.mission.reason import Reason
+from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.scene import Scene
 from missiontree.mission.tree import MissionNode, MissionTree
+from missiontree.routines.open_ended import pointless_until
 
 MAX_NODES = 10_000
 MAX_DEPTH = 64
@@ -32,7 +34,7 @@ def findings(tree: MissionTree | None, brief: MissionBrief) -> tuple[Reason, ...
     found = [*_of_size(tree)]
     for node in tree.nodes:
         found += _of_routine(node, brief, scene) if node.routine is not None else _of_task(node)
-    return (*found, *_of_order(tree))
+    return (*found, *_of_order(tree, brief.routines))
 
 
 def gate(tree: MissionTree | None, brief: MissionBrief) -> tuple[Reason, ...]:
@@ -103,13 +105,15 @@ def _of_routine(node: MissionNode, brief: MissionBrief, scene: Scene) -> Iterato
             yield Reason(rule="unknown_robot", message=message, node=node.id, hint=hint)
 
 
-def _of_order(tree: MissionTree) -> Iterator[Reason]:
+def _of_order(tree: MissionTree, library: RoutineLibrary) -> Iterator[Reason]:
     circle = event_graph(tree).cycle()
     if circle is not None:
         names = [tree.nodes[index].id for index in circle]
         message = f"The order is a cycle: {circle_in_words(names)}. None of them could ever be done."
         yield Reason(rule="cycle", message=message, node=names[0], hint="Drop one of the links (dropLink).")
     for link in tree.links:
+        if pointless_until(tree, link, library):
+            yield not_open_ended(link, library)
         fork = _parting(tree, link.first, link.second)
         if fork.gate == "xor" and link.kind != "different_robot":
             message = (

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from missiontree.authoring.answer import refuse
+from missiontree.authoring.answer import RefusalError, refuse
 from missiontree.authoring.matching import did_you_mean, quoted, same_name
 from missiontree.authoring.wire import RULE, kind_of_json
 from missiontree.mission.precedence import EventGraph, event_graph
+from missiontree.mission.reason import Reason
+from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.tree import Link, LinkKind, MissionTree
+from missiontree.routines.open_ended import is_open_ended, pointless_until
 
 WIRE_KINDS: dict[str, LinkKind] = {
     "Precedence": "precedence",
@@ -79,14 +82,14 @@ def read_kind(given: Any, what: str) -> LinkKind:
     )
 
 
-def check_links(tree: MissionTree, links: Sequence[Link]) -> None:
+def check_links(tree: MissionTree, links: Sequence[Link], library: RoutineLibrary) -> None:
     """
     Make sure that further links can stand beside the tree and its links.
 
     Raises
     ------
     RefusalError
-        ``size``, ``duplicate``, ``contained``, ``link_conflict`` or ``cycle``.
+        ``size``, ``duplicate``, ``contained``, ``link_conflict``, ``not_open_ended`` or ``cycle``.
     """
     if not links:
         return
@@ -95,8 +98,22 @@ def check_links(tree: MissionTree, links: Sequence[Link]) -> None:
     standing = {(link.first, link.second, link.kind) for link in tree.links}
     for link in links:
         _check_one(tree, link, standing)
+        if pointless_until(tree, link, library):
+            raise RefusalError(not_open_ended(link, library))
         standing.add((link.first, link.second, link.kind))
     _check_cycles(tree, links)
+
+
+def not_open_ended(link: Link, library: RoutineLibrary) -> Reason:
+    """Why an until link means nothing."""
+    lasting = [routine.id for routine in library.routines if is_open_ended(routine, library)]
+    return Reason(
+        rule="not_open_ended",
+        message=f"Until from {link.first!r} to {link.second!r}: nothing in {link.first!r} goes on without an end of its own.",
+        node=link.first,
+        needed="a routine with an open-ended action",
+        hint=f"Routines that go on until something else ends: {', '.join(lasting) or 'none'}. Precedence orders the others.",
+    )
 
 
 def _check_one(tree: MissionTree, link: Link, standing: set[tuple[str, str, LinkKind]]) -> None:

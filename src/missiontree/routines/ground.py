@@ -14,6 +14,7 @@ from missiontree.mission.scene import Scene
 from missiontree.mission.tree import Link, MissionTree
 from missiontree.routines.calls import Call, calls_of
 from missiontree.routines.expansion import Expansion
+from missiontree.routines.open_ended import pointless_until
 from missiontree.routines.order import RoutineOrder, order_moved
 from missiontree.routines.review import assumed_positions, lost_entities, never_binding
 
@@ -42,6 +43,12 @@ def ground(tree: MissionTree, brief: MissionBrief, estimator: Estimator | None =
     world = _world(tree, brief)
     for leaf in tree.open_leaves:
         raise InputError(f"task {leaf.label!r} is a leaf.", where=leaf.id, accepted="routines as leaves")
+    for link in tree.links:
+        if pointless_until(tree, link, brief.routines):
+            message = (
+                f"nothing in {link.first!r} goes on without an end of its own, until {link.second!r} ends or otherwise"
+            )
+            raise InputError(message, where="links", accepted="an until link from something open-ended, such as Follow")
     order = RoutineOrder(tree)
     calls = calls_of(tree, brief, world)
     added, notices = order_moved(tree, calls, order)
