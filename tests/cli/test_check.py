@@ -9,6 +9,7 @@ from pathlib import Path
 from missiontree.formats.document import write_text
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.plan import Plan
+from missiontree.mission.schedule import Schedule
 from tests.checking.plans import choices, reunite
 from tests.cli.running import Shell
 
@@ -16,6 +17,13 @@ from tests.cli.running import Shell
 def written(plan: Plan, folder: Path) -> str:
     (folder / "plan.json").write_text(write_text(plan, "plan"), encoding="utf-8")
     return "plan.json"
+
+
+def called_optimal(plan: Plan, schedule: Schedule, method: str) -> Plan:
+    """The plan with one schedule said to be the shortest, by some method."""
+    proven = Certificate(claim="proven", method=method, bound=schedule.makespan_s)
+    claimed = replace(schedule, status="optimal", certificate=proven)
+    return replace(plan, schedules=tuple(claimed if one is schedule else one for one in plan.schedules))
 
 
 def test_what_is_confirmed_needs_no_words(shell: Shell, tmp_path: Path) -> None:
@@ -27,25 +35,21 @@ def test_what_is_confirmed_needs_no_words(shell: Shell, tmp_path: Path) -> None:
 def test_what_is_taken_on_trust_is_named(shell: Shell, tmp_path: Path) -> None:
     """A feasible schedule with travel called optimal by a documented method: the checker cannot tell, and says so."""
     plan = choices()
-    first = plan.schedules[0]
-    assert first.status == "feasible"
-    proven = Certificate(claim="proven", method="critical_path", bound=first.makespan_s)
-    claimed = replace(first, status="optimal", certificate=proven)
-    file = written(replace(plan, schedules=(claimed, *plan.schedules[1:])), tmp_path)
+    feasible = next(schedule for schedule in plan.schedules if schedule.status == "feasible")
+    file = written(called_optimal(plan, feasible, "critical_path"), tmp_path)
     ran = shell("check", file)
     assert ran.code == 0
     sound, *trusted = ran.out.splitlines()
     assert sound == "sound: plan.json keeps every rule"
-    assert " ".join(trusted).startswith("not confirmed: That schedule 1 is optimal is taken on the scheduler's word")
+    assert " ".join(trusted).startswith(
+        f"not confirmed: That schedule {feasible.rank} is optimal is taken on the scheduler's word"
+    )
     told = json.loads(shell("check", file, "--json").out)
     assert [claim["rule"] for claim in told["taken_on_trust"]] == ["bound_on_trust"]
 
 
 def test_a_method_that_nobody_documents_is_a_fault(shell: Shell, tmp_path: Path) -> None:
     plan = choices()
-    first = plan.schedules[0]
-    proven = Certificate(claim="proven", method="magic", bound=first.makespan_s)
-    claimed = replace(first, status="optimal", certificate=proven)
-    ran = shell("check", written(replace(plan, schedules=(claimed, *plan.schedules[1:])), tmp_path), "--json")
+    ran = shell("check", written(called_optimal(plan, plan.schedules[0], "magic"), tmp_path), "--json")
     assert ran.code == 6
     assert [finding["rule"] for finding in json.loads(ran.out)["findings"]] == ["claim_unfounded"]
