@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Estimate
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.grounded import (
@@ -19,7 +20,6 @@ from missiontree.mission.grounded import (
     Role,
 )
 from missiontree.mission.routine import RoutineLibrary
-from missiontree.mission.scene import Entity
 from missiontree.mission.tree import Link, LinkKind, MissionNode, MissionTree
 from missiontree.routines.ground import ground
 from missiontree.routines.library import built_in

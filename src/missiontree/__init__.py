@@ -18,11 +18,12 @@ if TYPE_CHECKING:
     from missiontree.checking import check
     from missiontree.errors import InputError, MissiontreeError
     from missiontree.mission.control import Control
+    from missiontree.mission.entity import Entity
     from missiontree.mission.estimate import Weights
     from missiontree.mission.fleet import Capability, Fleet, Robot, RobotType
     from missiontree.mission.plan import Plan
     from missiontree.mission.position import Position
-    from missiontree.mission.scene import Entity, Scene
+    from missiontree.mission.scene import Scene
     from missiontree.planner import plan
     from missiontree.reporting.text import plan_text
     from missiontree.routines.python import routine
@@ -32,7 +33,7 @@ __version__ = "0.1.0"
 _HOMES = {
     "Capability": "mission.fleet",
     "Control": "mission.control",
-    "Entity": "mission.scene",
+    "Entity": "mission.entity",
     "Fleet": "mission.fleet",
     "InputError": "errors",
     "MissiontreeError": "errors",

@@ -6,8 +6,9 @@ from missiontree.authoring.builder import TreeBuilder
 from missiontree.authoring.tools import ToolBox
 from missiontree.formats.document import read_file
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.routines.library import built_in
 from missiontree.samples.catalogue import FOLDER
 

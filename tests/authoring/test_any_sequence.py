@@ -18,7 +18,8 @@ from missiontree.authoring.transcript import replay
 from missiontree.formats.document import write_text
 from missiontree.llm.scripted import ScriptedModel
 from missiontree.mission.brief import MissionBrief
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.entity import Entity
+from missiontree.mission.scene import Scene
 from missiontree.routines.library import built_in
 from tests.builders import paper_fleet
 

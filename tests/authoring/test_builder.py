@@ -11,8 +11,8 @@ from missiontree.authoring.builder import TreeBuilder
 from missiontree.authoring.findings import MAX_DEPTH, MAX_NODES
 from missiontree.authoring.tools import ToolBox
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
-from missiontree.mission.scene import Entity
 from missiontree.mission.tree import Link, MissionTree
 from tests.authoring.conftest import REUNITE, begun
 

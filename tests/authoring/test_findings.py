@@ -4,7 +4,7 @@ import pytest
 
 from missiontree.authoring.findings import findings, gate
 from missiontree.mission.brief import MissionBrief
-from missiontree.mission.scene import Entity
+from missiontree.mission.entity import Entity
 from missiontree.mission.tree import Link, MissionNode, MissionTree
 from tests.builders import reunite_tree
 

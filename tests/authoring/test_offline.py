@@ -15,10 +15,11 @@ from missiontree.authoring.offline import author_offline
 from missiontree.authoring.outcome import Authored
 from missiontree.formats.document import read_file
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.position import Position
 from missiontree.mission.routine import ActionStep, Argument, Branch, RoleSpec, Routine, RoutineLibrary
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.routines.library import built_in, with_routines
 from missiontree.samples.catalogue import FOLDER
 

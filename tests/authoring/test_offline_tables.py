@@ -18,9 +18,10 @@ from missiontree.authoring.offline import author_offline
 from missiontree.authoring.outcome import Authored
 from missiontree.formats.document import read_file
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.mission.tree import MissionTree
 from missiontree.routines.library import built_in
 from missiontree.samples.catalogue import FOLDER

@@ -6,7 +6,8 @@ import pytest
 
 from missiontree.authoring.reading_entities import Speakers, UnclearError
 from missiontree.authoring.reading_phrases import Phrase
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.entity import Entity
+from missiontree.mission.scene import Scene
 
 THEM = Phrase(name="them", text="them", pronoun="several")
 IT = Phrase(name="it", text="it", pronoun="thing")

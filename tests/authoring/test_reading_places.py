@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 from missiontree.authoring.reading_places import is_designation, place_said, stands_at
+from missiontree.mission.entity import Entity
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 
 SCENE = Scene(
     places=(

@@ -13,14 +13,15 @@ from itertools import pairwise
 from typing import Any
 
 from missiontree.mission.alternative import Alternative, Assignment, Choice, RoleType
+from missiontree.mission.area import Zone
 from missiontree.mission.certificate import Certificate
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Robot, RobotType
 from missiontree.mission.grounded import GroundedNode, GroundedTree, Grounding
 from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Need, Routine, RoutineLibrary
-from missiontree.mission.scene import Entity, Zone
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
 from missiontree.mission.tree import Link, MissionNode
 

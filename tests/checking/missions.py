@@ -6,23 +6,15 @@ import random
 from dataclasses import replace
 
 from missiontree.errors import InputError
+from missiontree.mission.area import Area, KeepOut, Zone
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Capability, CostModel, DurationModel, Fleet, Robot, RobotType
 from missiontree.mission.position import Position
-from missiontree.mission.scene import (
-    Area,
-    Entity,
-    KeepOut,
-    Lift,
-    OccupancyGrid,
-    Road,
-    RoadGraph,
-    RoadNode,
-    Scene,
-    Zone,
-)
+from missiontree.mission.scene import Scene
 from missiontree.mission.tree import Link, LinkKind, MissionNode, MissionTree
+from missiontree.mission.ways import Lift, OccupancyGrid, Road, RoadGraph, RoadNode
 from missiontree.routines.ground import ground
 from tests.builders import brief_of, routine_node
 from tests.checking.plans import yard_routines

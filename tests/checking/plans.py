@@ -6,26 +6,18 @@ from functools import cache
 
 from missiontree.allocation import ALLOCATORS
 from missiontree.formats.inputs import input_digests
+from missiontree.mission.area import Area, KeepOut, Zone
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.control import Control
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.plan import Outcome, Plan, Provenance
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import ActionStep, Argument, Branch, Need, RoleSpec, Routine, RoutineLibrary
-from missiontree.mission.scene import (
-    Area,
-    Entity,
-    KeepOut,
-    Lift,
-    OccupancyGrid,
-    Road,
-    RoadGraph,
-    RoadNode,
-    Scene,
-    Zone,
-)
+from missiontree.mission.scene import Scene
 from missiontree.mission.tree import Link, MissionNode, MissionTree
+from missiontree.mission.ways import Lift, OccupancyGrid, Road, RoadGraph, RoadNode
 from missiontree.planner import plan
 from missiontree.routines.ground import ground
 from missiontree.routines.library import built_in

@@ -12,12 +12,13 @@ from missiontree.formats.inputs import input_digests
 from missiontree.mission.alternative import Alternative, Assignment, Choice, Ranking, RoleType
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.certificate import Certificate
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.grounded import GroundedTree, Grounding
 from missiontree.mission.plan import Plan, Provenance
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
 from missiontree.routines.library import built_in
 from tests.builders import and_, grounded, leaf, xor_

@@ -10,9 +10,11 @@ import pytest
 from missiontree.checking.ways import Ways
 from missiontree.estimation.leg import Leg
 from missiontree.estimation.travel import TravelModel, travel_time_s
+from missiontree.mission.area import Area, KeepOut, Zone
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area, KeepOut, Lift, OccupancyGrid, Road, RoadGraph, RoadNode, Scene, Zone
+from missiontree.mission.scene import Scene
+from missiontree.mission.ways import Lift, OccupancyGrid, Road, RoadGraph, RoadNode
 from tests.checking.missions import point, random_scene
 
 ROBOT = RobotType(id="robot", count=1)

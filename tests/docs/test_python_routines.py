@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 from missiontree import plan
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.routine import Routine
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.routines.python import collect
 
 PAGE = (Path(__file__).parents[2] / "docs/how-to/write-a-routine.md").read_text(encoding="utf-8")

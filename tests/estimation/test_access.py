@@ -1,9 +1,11 @@
 """What is closed to whom."""
 
 from missiontree.estimation.access import Closure, access_of
+from missiontree.mission.area import Area, KeepOut, Zone
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area, KeepOut, Lift, Road, RoadGraph, RoadNode, Scene, Zone
+from missiontree.mission.scene import Scene
+from missiontree.mission.ways import Lift, Road, RoadGraph, RoadNode
 
 AREA = Area(corners=((0, 0), (1, 0), (1, 1)))
 SCENE = Scene(

@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 from missiontree.estimation.access import Access, ClosedArea
 from missiontree.estimation.grid import GridWays
 from missiontree.estimation.leg import Blocked, Leg
+from missiontree.mission.area import Area
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area, OccupancyGrid
+from missiontree.mission.ways import OccupancyGrid
 
 ROOT2 = math.sqrt(2)
 

@@ -3,8 +3,8 @@
 from missiontree.estimation.access import ClosedArea
 from missiontree.estimation.leg import for_robot
 from missiontree.estimation.obstacles import Obstacles, describe
+from missiontree.mission.area import Area
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area
 
 PIT = ClosedArea("keep-out pit", Area(corners=((0, 0), (2, 0), (2, 2), (0, 2))))
 WARD = ClosedArea("zone ward", Area(corners=((5, 0), (7, 0), (7, 2), (5, 2))))

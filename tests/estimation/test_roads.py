@@ -9,9 +9,12 @@ from hypothesis import strategies as st
 from missiontree.estimation.access import access_of
 from missiontree.estimation.leg import Blocked, Leg
 from missiontree.estimation.roads import RoadWays
+from missiontree.mission.area import Area, KeepOut, Zone
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area, Entity, KeepOut, Lift, Road, RoadGraph, RoadNode, Scene, Zone
+from missiontree.mission.scene import Scene
+from missiontree.mission.ways import Lift, Road, RoadGraph, RoadNode
 
 CART = RobotType(id="cart", count=1, zones=("hall",))
 A, B, C, D = (

@@ -11,8 +11,8 @@ from missiontree.estimation.access import Access, ClosedArea
 from missiontree.estimation.leg import Blocked, Leg
 from missiontree.estimation.shortest import ShortestTree
 from missiontree.estimation.straight import StraightWays
+from missiontree.mission.area import Area
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area
 
 Corners = tuple[tuple[float, float], ...]
 SQUARE: Corners = ((1, -1), (3, -1), (3, 1), (1, 1))

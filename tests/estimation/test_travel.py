@@ -3,21 +3,12 @@
 import pytest
 
 from missiontree.estimation.travel import Blocked, Leg, TravelModel, speed_of, start_of, travel_time_s
+from missiontree.mission.area import Area, KeepOut, Zone
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Robot, RobotType
 from missiontree.mission.position import Position
-from missiontree.mission.scene import (
-    Area,
-    Entity,
-    Frame,
-    KeepOut,
-    Lift,
-    OccupancyGrid,
-    Road,
-    RoadGraph,
-    RoadNode,
-    Scene,
-    Zone,
-)
+from missiontree.mission.scene import Frame, Scene
+from missiontree.mission.ways import Lift, OccupancyGrid, Road, RoadGraph, RoadNode
 
 CART = RobotType(id="cart", count=2, limits={"max_speed_mps": 2})
 HERE, THERE = Position(0.5, 0.5), Position(3.5, 0.5)

@@ -8,13 +8,16 @@ from typing import Any
 from hypothesis import strategies as st
 
 from missiontree.formats.routine_file import RoutineFile
+from missiontree.mission.area import Area, KeepOut, Zone
+from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Estimate
 from missiontree.mission.fleet import Capability, CostModel, DurationModel, Fleet, Robot, RobotType
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, GroundedTree, Role
 from missiontree.mission.position import Position
 from missiontree.mission.routine import ActionStep, Argument, Branch, Need, Part, RoleSpec, Routine
-from missiontree.mission.scene import Area, Entity, KeepOut, OccupancyGrid, Road, RoadGraph, RoadNode, Scene, Zone
+from missiontree.mission.scene import Scene
 from missiontree.mission.tree import LINK_KINDS, Gate, Link, MissionNode, MissionTree
+from missiontree.mission.ways import OccupancyGrid, Road, RoadGraph, RoadNode
 
 ids = st.from_regex(r"[A-Za-z][A-Za-z0-9_-]{0,8}", fullmatch=True)
 texts = st.text(st.characters(exclude_categories=("Cs", "Cc")), max_size=12).filter(lambda text: "\uffff" not in text)

@@ -6,10 +6,11 @@ from typing import Any, Literal
 import pytest
 
 from missiontree.formats.annotation import a_noun, in_words, required_of
+from missiontree.mission.area import Corner
 from missiontree.mission.fleet import Capability, RobotType
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Corner, OccupancyGrid
 from missiontree.mission.value import Count, Id, NonNegative, Positive
+from missiontree.mission.ways import OccupancyGrid
 
 AN_ID = "an id (a letter, then up to 63 letters, digits, '_' or '-')"
 

@@ -5,8 +5,8 @@ import pytest
 from missiontree.formats.document import read_text
 from missiontree.formats.mission_file import MissionFile
 from missiontree.formats.routine_file import RoutineFile
+from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
-from missiontree.mission.scene import Entity
 
 TEXT = """
 mission: Bring the crate to the dock   # no quotes needed

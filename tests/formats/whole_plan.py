@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from missiontree.mission.alternative import Alternative, Assignment, Choice, Ranking, RoleType
+from missiontree.mission.area import Zone
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.certificate import Certificate
+from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Capability, CostModel, Fleet, Robot, RobotType
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, GroundedTree, Grounding, Role
@@ -12,9 +14,10 @@ from missiontree.mission.plan import Plan, Provenance
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import ActionStep, Argument, Branch, Need, RoleSpec, Routine, RoutineLibrary
-from missiontree.mission.scene import Entity, Lift, Road, RoadGraph, RoadNode, Scene, Zone
+from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
 from missiontree.mission.tree import Link, MissionNode, MissionTree
+from missiontree.mission.ways import Lift, Road, RoadGraph, RoadNode
 
 
 def _fleet() -> Fleet:

@@ -4,18 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from missiontree.mission.area import Area
+from missiontree.mission.entity import Entity
 from missiontree.mission.position import Position
-from missiontree.mission.scene import (
-    Area,
-    Entity,
-    Frame,
-    Lift,
-    OccupancyGrid,
-    Road,
-    RoadGraph,
-    RoadNode,
-    Scene,
-)
+from missiontree.mission.scene import Frame, Scene
+from missiontree.mission.ways import Lift, OccupancyGrid, Road, RoadGraph, RoadNode
 
 SQUARE = Area(corners=((0, 0), (4, 0), (4, 2), (0, 2)))
 

@@ -7,10 +7,12 @@ from pathlib import Path
 import pytest
 
 from missiontree import plan, plan_text
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
-from missiontree.mission.scene import Entity, Road, RoadGraph, Scene
+from missiontree.mission.scene import Scene
+from missiontree.mission.ways import Road, RoadGraph
 from missiontree.reporting.text import reason_line, render, said_once, seconds
 from missiontree.samples.catalogue import sample_file
 

@@ -1,9 +1,11 @@
 """The list of what each robot does tells the way, whether the travel is an action or comes before one."""
 
 from missiontree import plan
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Entity, Road, RoadGraph, RoadNode, Scene
+from missiontree.mission.scene import Scene
+from missiontree.mission.ways import Road, RoadGraph, RoadNode
 from missiontree.reporting.timeline import timeline_rows
 
 

@@ -1,8 +1,8 @@
 """Trees in the form in which they are shown."""
 
+from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Estimate
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, GroundedTree, Role
-from missiontree.mission.scene import Entity
 from missiontree.mission.tree import Link, MissionNode, MissionTree
 from missiontree.reporting.tree_shape import ShapeNode, link_words, shape_of
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from missiontree.errors import InputError
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.entity import Entity
+from missiontree.mission.scene import Scene
 from missiontree.routines.arguments import check_resources, find_entities, find_routine
 from missiontree.routines.library import built_in
 from tests.builders import paper_fleet

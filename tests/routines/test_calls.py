@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from missiontree.mission.scene import Entity
+from missiontree.mission.entity import Entity
 from missiontree.routines.calls import Call, calls_of
 from tests.builders import brief_of, flat_tree, paper_fleet, people, routine_node, trivial_fleet
 

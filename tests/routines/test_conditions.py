@@ -6,11 +6,13 @@ from typing import Any
 
 import pytest
 
+from missiontree.mission.area import Area, Zone
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import ActionStep, Need
-from missiontree.mission.scene import Area, Entity, Scene, Zone
+from missiontree.mission.scene import Scene
 from missiontree.routines.compose import FlatAction, FlatBranch, FlatRole
 from missiontree.routines.conditions import Verdict, judge, kind_refused
 

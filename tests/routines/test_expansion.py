@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from missiontree.errors import InputError
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.grounded import GroundedLink, Grounding
 from missiontree.mission.routine import ActionStep, Argument, Branch, Part, RoleSpec, Routine
-from missiontree.mission.scene import Entity
 from missiontree.routines.library import built_in, with_routines
 from tests.builders import (
     flat_tree,

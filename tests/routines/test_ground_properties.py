@@ -5,10 +5,12 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
+from missiontree.mission.area import Area, Zone
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area, Entity, Scene, Zone
+from missiontree.mission.scene import Scene
 from missiontree.mission.tree import MissionTree
 from missiontree.routines.compose import flatten
 from missiontree.routines.ground import ground

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
+from missiontree.mission.area import Area, KeepOut
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Capability, CostModel, DurationModel, Fleet, Robot, RobotType
 from missiontree.mission.grounded import Action
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area, Entity, KeepOut, Scene
+from missiontree.mission.scene import Scene
 from tests.builders import (
     actions_of,
     flat_tree,

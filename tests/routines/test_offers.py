@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 from missiontree.errors import InputError
+from missiontree.mission.entity import Entity
 from missiontree.mission.routine import ActionStep, Argument, Branch, RoleSpec, Routine
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.routines.library import built_in, with_routines
 from missiontree.routines.offers import Offers, offers_for
 from tests.builders import paper_fleet, trivial_fleet

@@ -9,7 +9,7 @@ from missiontree.authoring.builder import TreeBuilder
 from missiontree.authoring.tools import ToolBox
 from missiontree.errors import InputError
 from missiontree.mission.brief import MissionBrief
-from missiontree.mission.scene import Entity
+from missiontree.mission.entity import Entity
 from missiontree.mission.tree import Link, MissionNode, MissionTree
 from missiontree.routines.ground import ground
 from missiontree.routines.library import built_in

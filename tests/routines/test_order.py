@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from missiontree.errors import InputError
+from missiontree.mission.entity import Entity
 from missiontree.mission.precedence import event_graph
-from missiontree.mission.scene import Entity
 from missiontree.mission.tree import Link, MissionNode, MissionTree
 from missiontree.routines.calls import calls_of
 from missiontree.routines.order import RoutineOrder, order_moved

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from missiontree.mission.area import Area
+from missiontree.mission.entity import Entity
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area, Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.mission.tree import Link, MissionNode, MissionTree
 from tests.builders import (
     flat_tree,

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from missiontree.mission.area import Area, Zone
+from missiontree.mission.entity import Entity
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area, Entity, Scene, Zone
+from missiontree.mission.scene import Scene
 from missiontree.routines.zones import holds, zones_of
 
 # An L: the square (0, 0)-(4, 4) without its upper right quarter.

@@ -9,11 +9,12 @@ from typing import Any
 from missiontree.mission.alternative import Alternative, Assignment, Choice, RoleType
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.control import Control
+from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Estimate
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, GroundedTree, Role
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.scheduling.greedy import greedy
 

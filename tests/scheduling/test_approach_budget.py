@@ -11,22 +11,14 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from missiontree.estimation.travel import Leg, TravelModel, start_of
+from missiontree.mission.area import Area, KeepOut, Zone
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.grounded import Action
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
-from missiontree.mission.scene import (
-    Area,
-    Entity,
-    KeepOut,
-    Lift,
-    OccupancyGrid,
-    Road,
-    RoadGraph,
-    RoadNode,
-    Scene,
-    Zone,
-)
+from missiontree.mission.scene import Scene
+from missiontree.mission.ways import Lift, OccupancyGrid, Road, RoadGraph, RoadNode
 from missiontree.scheduling.approach_budget import approaches_too_dear
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import task_graph

@@ -6,10 +6,12 @@ from itertools import count
 
 import pytest
 
+from missiontree.mission.area import Area, KeepOut
 from missiontree.mission.control import Control
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, Robot
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area, Entity, KeepOut, Scene
+from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.scheduling import SCHEDULERS
 from tests.scheduling.instances import (

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from missiontree.mission.scene import Entity
+from missiontree.mission.entity import Entity
 from missiontree.mission.tree import Gate, Link, MissionNode, MissionTree
 
 

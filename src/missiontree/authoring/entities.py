@@ -9,8 +9,9 @@ from missiontree.authoring.kinds import kind_of
 from missiontree.authoring.matching import did_you_mean, listed, quoted, same_name, words_of
 from missiontree.authoring.naming import make_id
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.entity import Entity
 from missiontree.mission.reason import Reason
-from missiontree.mission.scene import BASE_KINDS, Entity, Scene
+from missiontree.mission.scene import BASE_KINDS, Scene
 
 
 class Cast:

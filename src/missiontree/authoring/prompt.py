@@ -13,9 +13,9 @@ from typing import Any
 from missiontree.authoring.builder import TreeBuilder
 from missiontree.authoring.routine_calls import form_of
 from missiontree.llm.chat import Message
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.reason import Reason
-from missiontree.mission.scene import Entity
 
 _MOST_ENTITIES = 200
 

@@ -8,7 +8,8 @@ from dataclasses import dataclass, field, replace
 from missiontree.authoring.matching import is_misspelt, listed
 from missiontree.authoring.reading_phrases import Phrase, is_plural, kind_of_phrase
 from missiontree.authoring.reading_places import is_designation, place_said, plain, spellings, stands_at
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.entity import Entity
+from missiontree.mission.scene import Scene
 
 _SMALL = frozenset(
     {

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from missiontree.mission.entity import Entity
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 
 _AT = frozenset({"in", "at", "inside", "from", "on"})
 _NUMBERS = frozenset(

@@ -11,10 +11,11 @@ from missiontree.authoring.entities import Cast
 from missiontree.authoring.matching import did_you_mean, listed, quoted, same_name
 from missiontree.authoring.wire import RULE, kind_of_json
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Routine, RoutineLibrary
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.routines.offers import Offers, offers_for
 
 

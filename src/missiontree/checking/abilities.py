@@ -10,10 +10,10 @@ from missiontree.checking.case import Case
 from missiontree.checking.closed import inside
 from missiontree.checking.fault import Fault, named
 from missiontree.checking.parts import Stretch, chains, readings
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.grounded import Action
 from missiontree.mission.routine import ActionStep, Need
-from missiontree.mission.scene import Entity
 from missiontree.mission.tree import MissionNode
 
 

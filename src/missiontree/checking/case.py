@@ -12,11 +12,12 @@ from missiontree.checking.ways import Ways
 from missiontree.errors import InputError
 from missiontree.formats.digest import digest
 from missiontree.llm.recording import Recording, read_recording
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree, Grounding
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.mission.tree import MissionNode, MissionTree
 from missiontree.routines.ground import ground
 

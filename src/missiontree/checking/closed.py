@@ -6,8 +6,10 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
+from missiontree.mission.area import Area, Corner
 from missiontree.mission.fleet import RobotType
-from missiontree.mission.scene import Area, Corner, Lift, Road, Scene
+from missiontree.mission.scene import Scene
+from missiontree.mission.ways import Lift, Road
 
 NOISE_M = 1e-5
 """Metres by which a line may enter an area and still count as touching its edge."""

@@ -7,9 +7,11 @@ from collections.abc import Iterator
 
 from missiontree.checking.closed import closed_areas, inside
 from missiontree.checking.dijkstra import shortest
+from missiontree.mission.area import Corner
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Corner, OccupancyGrid, Scene
+from missiontree.mission.scene import Scene
+from missiontree.mission.ways import OccupancyGrid
 
 Cell = tuple[int, int]
 """Column from the left and row from below, both from 0."""

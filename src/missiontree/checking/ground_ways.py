@@ -7,9 +7,10 @@ from collections.abc import Iterator
 
 from missiontree.checking.closed import closed_areas, inside, passes_through
 from missiontree.checking.dijkstra import shortest
+from missiontree.mission.area import Area, Corner
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area, Corner, Scene
+from missiontree.mission.scene import Scene
 
 
 class GroundWays:

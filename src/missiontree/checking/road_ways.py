@@ -7,10 +7,12 @@ from itertools import pairwise
 
 from missiontree.checking.closed import closed_areas, inside, may_use, passes_through
 from missiontree.checking.dijkstra import shortest
+from missiontree.mission.area import Area
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area, RoadGraph, Scene
+from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import TravelLeg
+from missiontree.mission.ways import RoadGraph
 
 Step = tuple[str, float, float]
 """Where a step leads, its metres, and the seconds of a ride."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from missiontree.mission.area import Area
 from missiontree.mission.fleet import RobotType
-from missiontree.mission.scene import Area, Scene
+from missiontree.mission.scene import Scene
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ from missiontree.estimation.obstacles import Obstacles, describe, xy
 from missiontree.estimation.polygon import Point, distance
 from missiontree.estimation.shortest import ShortestTree
 from missiontree.mission.position import Position
-from missiontree.mission.scene import OccupancyGrid
+from missiontree.mission.ways import OccupancyGrid
 
 _DIAGONAL = math.sqrt(2)
 _WALL = "a wall"

@@ -13,7 +13,7 @@ from missiontree.estimation.obstacles import Obstacles, describe, xy
 from missiontree.estimation.polygon import distance
 from missiontree.estimation.shortest import ShortestTree
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Lift, Road, RoadGraph
+from missiontree.mission.ways import Lift, Road, RoadGraph
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,9 +10,10 @@ from missiontree.estimation.grid import GridWays
 from missiontree.estimation.leg import STAY, Blocked, Leg, for_robot
 from missiontree.estimation.roads import RoadWays
 from missiontree.estimation.straight import StraightWays
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Robot, RobotType
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 
 __all__ = ["Blocked", "Leg", "TravelModel", "Ways", "speed_of", "start_of", "travel_time_s"]
 

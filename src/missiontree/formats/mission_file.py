@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
-from missiontree.mission.scene import Entity
 from missiontree.mission.value import Count, Id, Value, require_unique
 
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
+from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.routine import RoutineLibrary
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.mission.value import Value
 
 

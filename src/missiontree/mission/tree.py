@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal
 
-from missiontree.mission.scene import Entity
+from missiontree.mission.entity import Entity
 from missiontree.mission.value import Id, Value, require_unique
 
 Gate = Literal["and", "xor"]

@@ -6,9 +6,10 @@ from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 
 from missiontree.errors import InputError
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.routine import Routine, RoutineLibrary
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 
 
 def find_routine(spelling: str, library: RoutineLibrary, where: str) -> Routine:

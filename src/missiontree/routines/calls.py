@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.entity import Entity
 from missiontree.mission.reason import Reason
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.mission.tree import MissionNode, MissionTree
 from missiontree.routines.arguments import check_resources, find_entities, find_routine
 from missiontree.routines.compose import FlatBranch, FlatRole

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Need
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.routines.compose import FlatBranch, FlatRole
 from missiontree.routines.zones import zones_of
 

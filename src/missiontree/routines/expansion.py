@@ -12,10 +12,10 @@ from itertools import combinations_with_replacement, product
 from missiontree.errors import InputError
 from missiontree.estimation.estimator import Estimator
 from missiontree.estimation.table import working_s
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.frozen_map import FrozenMap
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, NodeKind, Role
-from missiontree.mission.scene import Entity
 from missiontree.mission.tree import MissionNode
 from missiontree.routines.calls import Call, Way
 from missiontree.routines.compose import FlatAction, FlatRole, Order

@@ -6,10 +6,11 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from missiontree.estimation.travel import Blocked, Leg, TravelModel, speed_of, start_of, travel_time_s
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.routines.compose import FlatAction, FlatRole
 from missiontree.routines.nearest import Starts
 

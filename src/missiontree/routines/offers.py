@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Routine, RoutineLibrary
-from missiontree.mission.scene import Entity, Scene
+from missiontree.mission.scene import Scene
 from missiontree.routines.arguments import check_arguments, check_resources
 from missiontree.routines.compose import FlatBranch, flatten
 from missiontree.routines.conditions import judge, kind_refused

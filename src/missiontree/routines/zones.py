@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from missiontree.mission.area import Area, Corner
+from missiontree.mission.entity import Entity
 from missiontree.mission.position import Position
-from missiontree.mission.scene import Area, Corner, Entity, Scene
+from missiontree.mission.scene import Scene
 
 
 def zones_of(entity: Entity, scene: Scene) -> tuple[str, ...]:
