@@ -1,5 +1,5 @@
 """
-The paper's printed dialogue for its first mission, with the slips that stand in print.
+The paper's dialogue for its first mission, rebuilt with the slips that its print has; the wording around them is ours.
 
 An unquoted task name, a key with a colon in it, a key spelt two ways, an object where pairs are expected, and a parent "Reunite
 the Child with Mom" where "Reunite the child and mom" was made. A scripted model sends each call as it stands. Refused, it sends the
