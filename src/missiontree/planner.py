@@ -13,7 +13,7 @@ from pathlib import Path
 from missiontree import __version__
 from missiontree.allocation import ALLOCATORS
 from missiontree.authoring.author import author_tree, authored_from_tree
-from missiontree.authoring.methods import load_methods
+from missiontree.authoring.methods.method import load_methods
 from missiontree.authoring.offline import author_offline
 from missiontree.authoring.outcome import Authored
 from missiontree.authoring.transcript import replay

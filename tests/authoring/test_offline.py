@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from missiontree.authoring.methods import MethodLibrary, built_in_methods, read_methods
+from missiontree.authoring.methods.method import MethodLibrary, built_in_methods, read_methods
 from missiontree.authoring.offline import author_offline
 from missiontree.authoring.outcome import Authored
 from missiontree.formats.document import read_file

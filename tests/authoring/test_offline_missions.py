@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from missiontree.authoring.methods import built_in_methods, load_methods
+from missiontree.authoring.methods.method import built_in_methods, load_methods
 from missiontree.authoring.offline import author_offline
 from missiontree.authoring.transcript import replay
 from missiontree.formats.document import read_file
@@ -268,9 +268,9 @@ NOUNS_OF_SAMPLES = frozenset(
 
 def test_no_method_file_names_a_noun_of_a_mission() -> None:
     """A method that knows the cat would be an answer learnt by heart."""
-    import missiontree.authoring.methods as module
+    import missiontree.authoring.methods.method as module
 
-    folder = Path(module.__file__).with_name("methods")
+    folder = Path(module.__file__).with_name("library")
     files = sorted(folder.glob("*.yaml"))
     assert len(files) >= 3
     for file in files:

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from missiontree.authoring.methods import built_in_methods
+from missiontree.authoring.methods.method import built_in_methods
 from missiontree.authoring.offline import author_offline
 from missiontree.authoring.outcome import Authored
 from missiontree.formats.document import read_file

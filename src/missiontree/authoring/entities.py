@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from missiontree.authoring.answer import refuse
-from missiontree.authoring.kinds import kind_of
+from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.matching import did_you_mean, listed, quoted, same_name, words_of
 from missiontree.authoring.naming import make_id
 from missiontree.mission.brief import MissionBrief

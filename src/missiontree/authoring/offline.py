@@ -15,19 +15,19 @@ from missiontree.authoring.answer import Answer
 from missiontree.authoring.builder import TreeBuilder
 from missiontree.authoring.entities import is_said
 from missiontree.authoring.findings import gate
-from missiontree.authoring.kinds import kind_of
+from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.links import name_of_kind
-from missiontree.authoring.method_composition import Composition, composed, mentions_of
-from missiontree.authoring.method_outline import Piece
-from missiontree.authoring.methods import MethodLibrary, built_in_methods
+from missiontree.authoring.methods.composition import Composition, composed, mentions_of
+from missiontree.authoring.methods.method import MethodLibrary, built_in_methods
+from missiontree.authoring.methods.outline import Piece
 from missiontree.authoring.outcome import Authored, AuthoringStatus
-from missiontree.authoring.reading import MAX_WORDS, Clause, Word, clauses_of, words_of_text
-from missiontree.authoring.reading_entities import Mention
-from missiontree.authoring.reading_goals import GoalReader
-from missiontree.authoring.reading_outcomes import Goal, Trouble, Unserved
-from missiontree.authoring.reading_robots import robots_carried, robots_marked
-from missiontree.authoring.reading_taking import errands_joined
-from missiontree.authoring.reading_wording import verbs_repeated
+from missiontree.authoring.reading.clauses import MAX_WORDS, Clause, Word, clauses_of, words_of_text
+from missiontree.authoring.reading.entities import Mention
+from missiontree.authoring.reading.goals import GoalReader
+from missiontree.authoring.reading.outcomes import Goal, Trouble, Unserved
+from missiontree.authoring.reading.robots import robots_carried, robots_marked
+from missiontree.authoring.reading.taking import errands_joined
+from missiontree.authoring.reading.wording import verbs_repeated
 from missiontree.authoring.tools import ToolBox
 from missiontree.authoring.transcript import Transcript
 from missiontree.formats.digest import canonical

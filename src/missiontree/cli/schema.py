@@ -24,7 +24,7 @@ def command(
     """Print the JSON Schema of a kind of document."""
     import json
 
-    from missiontree.authoring.methods import MethodFile
+    from missiontree.authoring.methods.method import MethodFile
     from missiontree.formats.document import KINDS
     from missiontree.formats.schema import schema_of
 

@@ -1,0 +1,1 @@
+"""What the offline author knows of English: verbs, nouns, small words, hazards."""

@@ -1,0 +1,41 @@
+"""What the reading of a clause came to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from missiontree.authoring.methods.outline import Outline
+from missiontree.authoring.reading.clauses import Clause
+from missiontree.mission.reason import Reason
+
+
+@dataclass(frozen=True, slots=True)
+class Trouble:
+    """A clause that is not understood, and why."""
+
+    reason: Reason
+
+
+@dataclass(frozen=True, slots=True)
+class Unserved:
+    """A clause that is understood, but asks for what no routine does."""
+
+    goal: str
+    verb: str
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """A clause that is understood: what is to be built (nothing for a statement), how it was read, what was taken for granted."""
+
+    clause: Clause
+    outline: Outline
+    reading: str
+    assumptions: tuple[Reason, ...] = ()
+
+
+def trouble(rule: str, clause: Clause, detail: str, hint: str = "") -> Trouble:
+    """A clause that is not understood, in words."""
+    message = f"{clause.text[:200]!r} is not understood: {detail}."
+    way_out = "Reword it, set a model, or add a method (docs/how-to/write-a-method.md)."
+    return Trouble(Reason(rule=rule, message=message, found=clause.text[:200], hint=f"{hint} {way_out}".strip()))
