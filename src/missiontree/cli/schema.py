@@ -25,10 +25,12 @@ def command(
     import json
 
     from missiontree.authoring.methods.method import MethodFile
+    from missiontree.evaluation.suite_file import SuiteFile
     from missiontree.formats.document import KINDS
     from missiontree.formats.schema import schema_of
 
-    kinds = {**KINDS, "methods": MethodFile}  # methods are known to the author alone
+    # Methods are known to the author alone, suites to its examiner.
+    kinds = {**KINDS, "methods": MethodFile, "suite": SuiteFile}
     if kind is not None and kind not in kinds:
         raise InputError(f"there is no document {kind!r}", accepted=", ".join(kinds))
     if kind is None and out is None:
