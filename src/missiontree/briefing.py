@@ -15,6 +15,7 @@ from missiontree.llm.chat import ChatModel
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet
+from missiontree.mission.goal import in_words
 from missiontree.mission.magnitude import refuse_huge
 from missiontree.mission.routine import Routine
 from missiontree.mission.scene import Scene
@@ -119,7 +120,12 @@ def request_from(
         mission = Path(mission)
     path = mission if isinstance(mission, Path) else project
     file = _mission_file(path) if path is not None else MissionFile(mission="-")
-    words = file.mission if isinstance(mission, Path) else clean(mission, "mission")
+    goals = file.goals if isinstance(mission, Path) else ()
+    words = (
+        (file.mission if file.mission.strip() or not goals else in_words(goals))
+        if isinstance(mission, Path)
+        else clean(mission, "mission")
+    )
     base = path.parent if path is not None else Path()
     if len(words.split()) > MAX_WORDS:
         raise InputError(f"the mission has {len(words.split())} words", accepted=f"at most {MAX_WORDS} words")
@@ -137,6 +143,7 @@ def request_from(
             entities=file.entities,
             weights=file.weights if weights is None else _weights(weights),
             check_kinds=file.check_kinds if check_kinds is None else check_kinds,
+            goals=goals,
         )
         refuse_huge(brief.fleet, brief.routines, brief.weights)
     except ValueError as error:

@@ -13,6 +13,7 @@ from pathlib import Path
 from missiontree import __version__
 from missiontree.allocation import ALLOCATORS
 from missiontree.authoring.author import author_tree, authored_from_tree
+from missiontree.authoring.formal import author_formal
 from missiontree.authoring.methods.method import load_methods
 from missiontree.authoring.offline import author_offline
 from missiontree.authoring.outcome import Authored
@@ -135,6 +136,8 @@ def author(request: Request) -> Authored:
     """Have the mission tree built, or take the one that was handed in."""
     if request.tree is not None:
         return _handed_in(request.tree, request)
+    if request.brief.goals:  # nothing is left to be read, whoever the model is
+        return author_formal(request.brief, load_methods(request.methods))
     if not isinstance(request.model, str):
         return author_tree(request.brief, request.model, draw=tree_svg)
     if request.model == "offline":

@@ -2,8 +2,9 @@
 Tables of missions in everyday words, and what is expected of each, written down before any was run.
 
 ``S`` search, ``F`` follow, ``R`` reach, ``T`` transport, ``RT`` reach and transport, ``SF`` search and follow; ``@type``: only by that
-robot type. Behind the bar, by number of the routine: ``1<2`` the first ends before the second starts, ``1~2`` the first lasts until
-the second ends. Order is shown for routines, whichever tasks hold them, and with all that follows from it.
+robot type; ``(A xor B)``: one of them, ``[A; B]``: both, as one option. Behind the bar, by number of the routine: ``1<2`` the first
+ends before the second starts, ``1~2`` the first lasts until the second ends. Order is shown for routines, whichever tasks hold them,
+and with all that follows from it.
 """
 
 from __future__ import annotations
@@ -86,9 +87,19 @@ def plan_of(tree: MissionTree) -> str:
     for middle, first, second in product(number.values(), repeat=3):  # Warshall: what follows by way of a third
         if {(first, middle), (middle, second)} <= before:
             before.add((first, second))
-    shown = "; ".join(shown_leaf(tree, leaf) for leaf in leaves)
+    shown = "; ".join(shown_node(tree, child) for child in tree.root.children)
     order = [f"{a}<{b}" for a, b in sorted(before)] + [f"{a}~{b}" for a, b in sorted(links["until"])]
     return f"{shown} | {', '.join(order)}" if order else shown
+
+
+def shown_node(tree: MissionTree, name: str) -> str:
+    node = tree.by_id[name]
+    if node.routine is not None:
+        return shown_leaf(tree, name)
+    parts = [shown_node(tree, child) for child in node.children]
+    if node.gate == "xor":
+        return f"({' xor '.join(f'[{part}]' if '; ' in part else part for part in parts)})"
+    return "; ".join(parts)
 
 
 def shown_leaf(tree: MissionTree, leaf: str) -> str:

@@ -32,7 +32,7 @@ def test_a_mission_file_is_read() -> None:
 
 def test_a_mission_file_needs_words_or_a_tree() -> None:
     assert MissionFile(tree="tree.json").mission == ""
-    with pytest.raises(ValueError, match="needs a mission in words, or the path of a tree"):
+    with pytest.raises(ValueError, match="needs a mission in words, goals, or the path of a tree"):
         MissionFile(mission="  ")
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from missiontree.authoring.language.lexicon import Verb
-from missiontree.authoring.methods.patterns import fixed_words, forms_of, matches
+from missiontree.authoring.methods.slots import matches
+from missiontree.mission.pattern import fixed_words, forms_of
 
 
 def slots(pattern: str, text: str, verb: Verb) -> dict[str, str] | None:

@@ -77,7 +77,7 @@ class Cast:
         found = self.find(name)
         if found is not None:
             return found
-        if self.brief.scene is None and is_said(name, self.brief.text):
+        if self.brief.scene is None and is_said(name, self.brief.words):
             return self.introduce(name, None)
         known = [entity.label for entity in self.everyone]
         hint = did_you_mean(name, [spelling for entity in self.everyone for spelling in _spellings(entity)])

@@ -10,7 +10,7 @@ from missiontree.mission.tree import MissionTree
 
 
 def inputs_of(brief: MissionBrief, tree: MissionTree | None) -> dict[str, Any]:
-    """Every input by name: mission (its words), fleet, scene, routines, entities, weights, kinds (enforced or not), tree."""
+    """Every input by name: mission (its words), fleet, scene, routines, entities, weights, kinds (enforced or not), goals, tree."""
     inputs = {
         "mission": brief.text,
         "fleet": brief.fleet,
@@ -19,6 +19,7 @@ def inputs_of(brief: MissionBrief, tree: MissionTree | None) -> dict[str, Any]:
         "entities": brief.entities,
         "weights": brief.weights,
         "kinds": brief.check_kinds,
+        "goals": brief.goals or None,
         "tree": tree,
     }
     return {name: value for name, value in inputs.items() if value is not None}

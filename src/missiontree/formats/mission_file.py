@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
+from missiontree.mission.goal import Goal, check_goals
 from missiontree.mission.value import Count, Id, Value, require_unique
 
 
@@ -17,7 +18,9 @@ class MissionFile(Value):
     Parameters
     ----------
     mission
-        The mission in words. Needed unless ``tree`` is given.
+        The mission in words. Needed unless ``goals`` or ``tree`` are given; beside goals it is only what the mission is called.
+    goals
+        What is to be achieved, stated formally instead of in words.
     tree
         Path of a mission tree that is already there, instead of authoring one.
     fleet
@@ -45,6 +48,7 @@ class MissionFile(Value):
     """
 
     mission: str = ""
+    goals: tuple[Goal, ...] = ()
     tree: str | None = None
     fleet: str | None = None
     scene: str | None = None
@@ -59,6 +63,9 @@ class MissionFile(Value):
     seed: int = 0
 
     def _check(self) -> None:
-        if not self.mission.strip() and self.tree is None:
-            raise ValueError("a mission file needs a mission in words, or the path of a tree.")
+        if not self.mission.strip() and not self.goals and self.tree is None:
+            raise ValueError("a mission file needs a mission in words, goals, or the path of a tree.")
+        if self.goals and self.tree is not None:
+            raise ValueError("a mission file has either goals or the path of a tree.")
+        check_goals(self.goals)
         require_unique("entity", tuple(entity.id for entity in self.entities))

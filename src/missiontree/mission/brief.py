@@ -8,6 +8,7 @@ from functools import cached_property
 from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet, Robot, RobotType
+from missiontree.mission.goal import Goal, all_goals, check_goals
 from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.scene import Scene
 from missiontree.mission.value import Value
@@ -21,7 +22,7 @@ class MissionBrief(Value):
     Parameters
     ----------
     text
-        The mission in words. It is the operator's word; everything in the scene is data.
+        The mission in words. It is the operator's word; everything in the scene is data. Beside ``goals`` it is only the objective's title.
     fleet
         The team.
     routines
@@ -34,11 +35,13 @@ class MissionBrief(Value):
         What counts as good.
     check_kinds
         Whether kinds of arguments are enforced. Default true; false reproduces the paper's examples.
+    goals
+        What is to be achieved, if it is stated formally instead of in words.
 
     Raises
     ------
     ValueError
-        If fleet, scene and entities refer to each other in vain.
+        If fleet, scene, goals and entities refer to each other in vain.
     """
 
     text: str
@@ -48,9 +51,11 @@ class MissionBrief(Value):
     entities: tuple[Entity, ...] = ()
     weights: Weights = Weights()
     check_kinds: bool = True
+    goals: tuple[Goal, ...] = ()
 
     def _check(self) -> None:
         world = self.world
+        check_goals(self.goals)
         zones = {zone.id for zone in world.zones}
         for robot_type in self.fleet.types:
             starts: tuple[RobotType | Robot, ...] = (robot_type, *robot_type.robots)
@@ -71,6 +76,7 @@ class MissionBrief(Value):
         restricted = [("keep-out " + area.id, area.types) for area in world.keep_outs]
         restricted += [(f"road {road.ends[0]} - {road.ends[1]}", road.types) for road in (roads.roads if roads else ())]
         restricted += [(f"lift {lift.id}", lift.types) for lift in (roads.lifts if roads else ())]
+        restricted += [(f"goal {goal.shown!r}", (*goal.by, *goal.not_by)) for goal in all_goals(self.goals)]
         for what, types in restricted:
             for name in types or ():
                 if name not in self.fleet.by_id:
@@ -80,3 +86,8 @@ class MissionBrief(Value):
     def world(self) -> Scene:
         """The scene, or an empty one, with the entities that the operator declares."""
         return (self.scene if self.scene is not None else Scene()).extended(self.entities)
+
+    @property
+    def words(self) -> str:
+        """Everything the operator says: the text, and the names that goals use."""
+        return "; ".join((self.text, *(name for goal in all_goals(self.goals) for name in goal.entities)))

@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from missiontree.mission.pattern import Form, forms_of
 from missiontree.mission.value import Count, Id, NonNegative, Positive, Value, require_unique
 
 _FIELD = re.compile(r"\{([^{}]*)\}")
@@ -232,6 +233,8 @@ class Routine(Value):
         Typed arguments, in order. Each call may also name *resources*, the robot types allowed.
     verbs
         English verbs whose objects are the arguments in order, for authors that read plain language.
+    says
+        Further wordings for such authors: patterns with every argument in ``{braces}``, see :mod:`~missiontree.mission.pattern`.
     branches
         Ways of doing it. Either this or ``parts``.
     parts
@@ -245,6 +248,7 @@ class Routine(Value):
     purpose: str
     arguments: tuple[Argument, ...]
     verbs: tuple[str, ...] = ()
+    says: tuple[str, ...] = ()
     branches: tuple[Branch, ...] = ()
     parts: tuple[Part, ...] = ()
     same_robot: tuple[int, ...] = ()
@@ -256,6 +260,14 @@ class Routine(Value):
             raise ValueError(f"routine {self.id!r} needs arguments; 'robot' and 'resources' are not free as names.")
         if bool(self.branches) == bool(self.parts):
             raise ValueError(f"routine {self.id!r} needs either branches or parts, and not both.")
+        for pattern, forms in zip(self.says, self.forms, strict=True):
+            for form in forms:
+                slots = tuple(element.text for element in form if element.kind == "slot")
+                if sorted(slots) != sorted(names):
+                    raise ValueError(
+                        f"routine {self.id!r}: the pattern {pattern!r} has the slots {', '.join(slots) or 'none'}; "
+                        f"it needs each argument once: {', '.join(names)}."
+                    )
         require_unique("branch", tuple(branch.name for branch in self.branches))
         for mentioned in self._mentions():
             if mentioned not in names:
@@ -267,6 +279,11 @@ class Routine(Value):
                 raise ValueError(
                     f"routine {self.id!r}: same_robot names part {index}, parts count from 0 to {len(self.parts) - 1}."
                 )
+
+    @cached_property
+    def forms(self) -> tuple[tuple[Form, ...], ...]:
+        """The forms of each pattern."""
+        return tuple(forms_of(pattern) for pattern in self.says)
 
     def _mentions(self) -> list[str]:
         mentioned = _FIELD.findall(self.purpose) + [own for part in self.parts for own in part.arguments.values()]

@@ -48,15 +48,6 @@ def test_robot_id_of_several_words_is_known_too() -> None:
     assert "'max_2' is one robot of the type Guide" in reason("Find the cup with max_2").message
 
 
-@pytest.mark.parametrize(
-    "text", ["Find the cup without the mule", "Do not use the mule", "Find the cup but not with the mule"]
-)
-def test_who_is_left_out_is_shown_with_those_who_may(text: str) -> None:
-    assert reason(text).hint.startswith(
-        "Robots cannot be left out in words; name the type that shall do it: 'with the Guide'."
-    )
-
-
 def test_leaving_out_what_is_no_robot_of_the_fleet_names_all_that_may() -> None:
     assert "'without'" in reason("Find the cup without the drone").message
     assert "'with the Guide' or 'with the Mule'" in reason("Find the cup without the drone").hint

@@ -98,7 +98,6 @@ def test_noun_phrases(text: str, name: str, lost: bool) -> None:
     [
         "",
         "the",
-        "two dogs",
         "the dog tomorrow",
         "the dog to the lobby",
         "the dog quickly",

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from missiontree.authoring.reading.entities import Speakers, UnclearError
+from missiontree.authoring.methods.mention import UnclearError
+from missiontree.authoring.reading.entities import Speakers
 from missiontree.authoring.reading.phrases import Phrase
 from missiontree.mission.entity import Entity
 from missiontree.mission.scene import Scene

@@ -6,11 +6,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from importlib import resources
+from itertools import product
 from typing import Any, Literal
 
 from missiontree.formats.reader import parse
 
-Form = Literal["base", "gerund", "past"]
+Form = Literal["base", "gerund", "past", "third"]
 Words = tuple[str, ...]
 _VOWELS = "aeiou"
 
@@ -68,6 +69,25 @@ class PhraseTable:
         return found
 
 
+def phrases_of(file: str, name: str) -> tuple[tuple[str, ...], ...]:
+    """
+    A list of small words by file and name, each phrase as its words, longest first.
+
+    ``{not}`` in a phrase stands for every entry of the list of that name.
+    """
+    lists = _data(file)
+    made: list[tuple[str, ...]] = []
+    for phrase in lists[name]:
+        choices = [lists[part[1:-1]] if part.startswith("{") else [part] for part in phrase.split()]
+        made += [tuple(" ".join(parts).split()) for parts in product(*choices)]
+    return tuple(sorted(dict.fromkeys(made), key=lambda words: -len(words)))
+
+
+def phrase_table(file: str, name: str) -> PhraseTable:
+    """The same list as a table; the meaning is the phrase itself."""
+    return PhraseTable({words: " ".join(words) for words in phrases_of(file, name)})
+
+
 class Lexicon:
     """
     The words the offline author knows.
@@ -89,15 +109,17 @@ class Lexicon:
         for phrase in further_verbs:
             self.goals_of.setdefault(phrase, ())
         self.small: dict[str, Any] = _data("words")
+        self.idioms: dict[str, list[str]] = _data("idioms")["idioms"]
         self.hazards: dict[str, Any] = _data("hazards")["hazards"]
 
     @cached_property
     def _verbs(self) -> dict[Form, PhraseTable]:
-        forms: dict[Form, dict[Words, str]] = {"base": {}, "gerund": {}, "past": {}}
+        forms: dict[Form, dict[Words, str]] = {"base": {}, "gerund": {}, "past": {}, "third": {}}
         for phrase in self.goals_of:
             first, *rest = phrase.split()
             forms["base"][(first, *rest)] = phrase
             forms["gerund"][(gerund(first), *rest)] = phrase
+            forms["third"][(third_person(first), *rest)] = phrase
             forms["past"][(self.past.get(first, regular_past(first)), *rest)] = phrase
         return {form: PhraseTable(phrases) for form, phrases in forms.items()}
 
@@ -154,6 +176,13 @@ def gerund(verb: str) -> str:
     if verb.endswith("e") and not verb.endswith(("ee", "oe", "ye")):
         return verb[:-1] + "ing"
     return verb + (verb[-1] if _doubles(verb) else "") + "ing"
+
+
+def third_person(verb: str) -> str:
+    """The form with he, she or it: find, finds; search, searches; carry, carries; go, goes."""
+    if verb.endswith("y") and verb[-2:-1] not in _VOWELS:
+        return verb[:-1] + "ies"
+    return verb + ("es" if verb.endswith(("s", "sh", "ch", "x", "z", "o")) else "s")
 
 
 def regular_past(verb: str) -> str:

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
+from missiontree.authoring.methods.mention import Mention, title
 from missiontree.authoring.methods.outline import Outline, Piece, found_by, leaf_of
 from missiontree.authoring.methods.reduction import without_implied
 from missiontree.authoring.reading.clauses import Relation
-from missiontree.authoring.reading.entities import Mention, title
 from missiontree.authoring.reading.outcomes import Goal
+from missiontree.authoring.reading.units import Unit, units_of
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Routine, RoutineLibrary
+
+_EVENTS = frozenset({"before", "after", "until", "while"})
 
 
 @dataclass
@@ -40,6 +43,7 @@ class Composition:
 def composed(goals: Sequence[Goal], library: RoutineLibrary) -> Composition:
     """Put the clauses together below one objective."""
     made = Composition()
+    goals = _asked_in_full(goals)
     _search_once(goals, library, made)
     building = sum(bool(goal.outline.pieces) for goal in goals)
     tops: list[list[Piece]] = []
@@ -48,18 +52,57 @@ def composed(goals: Sequence[Goal], library: RoutineLibrary) -> Composition:
         tops.append(event or (_top(goal, made.outline) if building > 1 else goal.outline.pieces))
         made.outline.pieces += [] if event else tops[-1]
         made.outline.links += goal.outline.links
-    _order_as_said(goals, tops, library, made)
+    units = units_of(goals, made.doubts)
+    for unit in units:
+        _chosen(unit, goals, tops, library, made)
+    _order_as_said(goals, tops, units, library, made)
     _search_first(library, made)
     _found_before_used(library, made)
+    _brought_before_returned(goals, made)
     made.implied = without_implied(made.outline, made.implied)
     return made
 
 
+def _asked_in_full(goals: Sequence[Goal]) -> list[Goal]:
+    """The goals; of what somebody needs, nothing is left to be built if a later clause asks for the same."""
+    kept: list[Goal] = []
+    for number, goal in enumerate(goals):
+        later = {leaf.call for other in goals[number + 1 :] for piece in other.outline.pieces for leaf in piece.leaves}
+        calls = {leaf.call for piece in goal.outline.pieces for leaf in piece.leaves}
+        kept.append(replace(goal, outline=Outline()) if goal.wished and calls <= later else goal)
+    return kept
+
+
+def _chosen(
+    unit: Unit, goals: Sequence[Goal], tops: list[list[Piece]], library: RoutineLibrary, made: Composition
+) -> None:
+    """Hang the options of a choice below one task, which from then on stands for all of their clauses."""
+    if len(unit.options) < 2:
+        return
+    options: list[Piece] = []
+    where = min(made.outline.pieces.index(piece) for index in unit.indexes for piece in tops[index])
+    for option in unit.options:
+        inner = [Unit(((index,),)) for index in option]
+        _order_as_said(goals, tops, inner, library, made)
+        pieces = [piece for index in option for piece in tops[index]]
+        text = ", ".join(goals[index].clause.text for index in option)
+        options.append(pieces[0] if len(pieces) == 1 else Piece(title(text), pieces=pieces))
+    for index in unit.indexes:
+        made.outline.pieces = [piece for piece in made.outline.pieces if piece not in tops[index]]
+    label = " or ".join(goals[option[0]].clause.text for option in unit.options)
+    choice = Piece(title(label), pieces=options, gate="xor")
+    made.outline.pieces.insert(where, choice)
+    for index in unit.indexes:
+        tops[index] = [choice]
+
+
 def _named_again(goal: Goal, outline: Outline) -> list[Piece]:
     """What an earlier clause asks for, if this one only names that as an event: "when it is found"."""
-    if goal.clause.relation not in {"before", "after", "until"} or len(goal.outline.pieces) != 1:
+    if goal.clause.relation not in _EVENTS or not goal.outline.pieces:
         return []
-    return [piece for piece in outline.pieces if _stands(goal.outline.pieces[0], [piece]) and piece.routine is not None]
+    standing = [leaf for piece in outline.pieces for leaf in piece.leaves]
+    found = [next((leaf for leaf in standing if _stands(piece, [leaf])), None) for piece in goal.outline.pieces]
+    return [leaf for leaf in found if leaf is not None] if None not in found else []
 
 
 def _top(goal: Goal, outline: Outline) -> list[Piece]:
@@ -82,18 +125,26 @@ def _stands(piece: Piece, pieces: Sequence[Piece]) -> bool:
 
 
 def _order_as_said(
-    goals: Sequence[Goal], tops: Sequence[list[Piece]], library: RoutineLibrary, made: Composition
+    goals: Sequence[Goal],
+    tops: Sequence[list[Piece]],
+    units: Sequence[Unit],
+    library: RoutineLibrary,
+    made: Composition,
 ) -> None:
-    """Then, before, after, while, until."""
+    """Then, before, after, while, until, among units; the first of them has nothing before it."""
     stage: list[Piece] = []
     earlier: list[Piece] = []
     relations = _relations(goals)
     beside = _beside(tops, relations)
-    for index, (goal, pieces, (relation, anchor)) in enumerate(zip(goals, tops, relations, strict=True)):
-        others = tops[anchor] if anchor is not None and anchor < len(tops) else []
+    for unit in units:
+        index = unit.indexes[0]
+        goal, pieces, (relation, anchor) = goals[index], tops[index], relations[index]
+        others = _anchored(goals, tops, index, anchor)
         if relation in {"before", "after"}:
             first, second = (others, pieces) if relation == "before" else (pieces, others)
             _all_before(first, second, made)
+        elif relation == "earlier":
+            _all_before(pieces, others, made)
         elif relation in {"while", "until"}:
             _alongside(goal, relation, pieces, others, library, made)
         else:
@@ -104,6 +155,20 @@ def _order_as_said(
             together = [*pieces, *beside.get(index, [])]
             _all_before(earlier, together, made)
             stage = [*stage, *together]
+
+
+def _anchored(goals: Sequence[Goal], tops: Sequence[list[Piece]], index: int, anchor: int | None) -> list[Piece]:
+    """What a clause is joined to; one that leads a sentence is said of all that *and* joins behind it."""
+    if anchor is None or anchor >= len(tops):
+        return []
+    others = list(tops[anchor])
+    if anchor > index and goals[index].clause.relation in {"before", "after", "while"}:
+        for number in range(anchor + 1, len(goals)):
+            clause = goals[number].clause
+            if clause.relation != "and" or clause.sentence != goals[anchor].clause.sentence:
+                break
+            others += [piece for piece in tops[number] if piece not in others]
+    return others
 
 
 def _beside(tops: Sequence[list[Piece]], relations: Sequence[tuple[Relation, int | None]]) -> dict[int, list[Piece]]:
@@ -168,6 +233,14 @@ def _search_once(goals: Sequence[Goal], library: RoutineLibrary, made: Compositi
     finders: dict[tuple[str, tuple[str, ...], tuple[str, ...]], Piece] = {}
     for goal in goals:
         leaves = [leaf for piece in goal.outline.pieces for leaf in piece.leaves]
+        if (
+            any(piece.gate == "xor" for piece in goal.outline.all_pieces)
+            or goal.clause.relation == "or"
+            or goal.clause.either
+        ):
+            continue  # who is searched for in one option is not found in the other
+        if goal.clause.relation in _EVENTS and all(leaf.call in finders for leaf in leaves):
+            continue  # "when both are found" asks for nothing new
         for leaf in leaves:
             if not _only_finds(leaf, library):
                 continue
@@ -212,11 +285,43 @@ def _search_first(library: RoutineLibrary, made: Composition) -> None:
             continue
         mention = next(m for leaf in leaves for m in leaf.mentions if m.name == name and m.to_be_found)
         finder = leaf_of(search, (mention,))
-        made.outline.pieces.insert(added, finder)
-        added += 1
+        users = [leaf for leaf in leaves if any(m.name == name for m in leaf.mentions)]
+        if not _found_in_option(made.outline, users, finder):
+            made.outline.pieces.insert(added, finder)
+            added += 1
         why = "is said to be lost" if mention.lost else "is at an unknown position"
         message = f"{finder.label} was added: {mention.label} {why}."
         made.notices.append(Reason(rule="search_added", message=message, severity="notice", node=mention.name))
+
+
+def _found_in_option(outline: Outline, users: Sequence[Piece], finder: Piece) -> bool:
+    """Put the search into the one option of a choice that needs it, if only one does."""
+    for choice in (piece for piece in outline.all_pieces if piece.gate == "xor" and piece.routine is None):
+        for number, option in enumerate(choice.pieces):
+            if set(users) <= set(option.leaves):
+                if option.routine is None and option.gate == "and":
+                    option.pieces.insert(0, finder)
+                else:
+                    choice.pieces[number] = Piece(
+                        f"Find {finder.mentions[0].label} for {option.label}", pieces=[finder, option]
+                    )
+                return True
+    return False
+
+
+def _brought_before_returned(goals: Sequence[Goal], made: Composition) -> None:
+    """What is brought back is brought away before, if no order is said."""
+    order = _Order(made.outline)
+    for number, goal in enumerate(goals):
+        for leaf in (leaf for piece in goal.outline.pieces if goal.returns for leaf in piece.leaves):
+            for other in (
+                leaf for before in goals[:number] for piece in before.outline.pieces for leaf in piece.leaves
+            ):
+                moved = len(leaf.mentions) > 1 < len(other.mentions) and leaf.mentions[0].name == other.mentions[0].name
+                if moved and not order.between(other, leaf):
+                    made.implied.append((other, leaf))
+                    message = f"{other.label} goes before {leaf.label}, though no order was said."
+                    made.notices.append(Reason(rule="order_added", message=message, severity="notice", node=leaf.label))
 
 
 def _found_before_used(library: RoutineLibrary, made: Composition) -> None:
@@ -227,12 +332,28 @@ def _found_before_used(library: RoutineLibrary, made: Composition) -> None:
         for user in leaves:
             if not {m.name for m in finder.mentions} & {m.name for m in user.mentions}:
                 continue
-            if finder is user or not _shared(finder, user, library) or order.between(finder, user):
+            if (
+                finder is user
+                or _exclude_each_other(made.outline, finder, user)
+                or not _shared(finder, user, library)
+                or order.between(finder, user)
+            ):
                 continue
             made.implied.append((finder, user))
             order.add(finder, user)
             message = f"{finder.label} goes before {user.label}, though no order was said."
             made.notices.append(Reason(rule="order_added", message=message, severity="notice", node=user.label))
+
+
+def _exclude_each_other(outline: Outline, one: Piece, other: Piece) -> bool:
+    """Whether two leaves hang below different options of a choice."""
+    for choice in (piece for piece in outline.all_pieces if piece.gate == "xor" and piece.routine is None):
+        sides = [
+            number for leaf in (one, other) for number, option in enumerate(choice.pieces) if leaf in option.leaves
+        ]
+        if len(sides) == 2 and sides[0] != sides[1]:
+            return True
+    return False
 
 
 def _shared(finder: Piece, user: Piece, library: RoutineLibrary) -> bool:

@@ -14,16 +14,16 @@ from importlib import resources
 from pathlib import Path
 from typing import Literal
 
-from missiontree.authoring.methods.patterns import Form, forms_of
 from missiontree.errors import InputError
 from missiontree.formats.document import read_as
 from missiontree.formats.source import load_text
+from missiontree.mission.pattern import Form, forms_of
 from missiontree.mission.scene import BASE_KINDS
 from missiontree.mission.value import Id, Value, require_unique
 
 RESPONDER = "responder"
-CONDITIONS = (*BASE_KINDS, "lost", "hazard")
-BUILT_IN_FILES = ("bringing", "finding", "helping", "rescuing")
+CONDITIONS = (*BASE_KINDS, "lost", "hazard", "vessel")
+BUILT_IN_FILES = ("bringing", "finding", "helping", "reaching", "rescuing")
 _CALL = re.compile(r"\s*([A-Za-z][A-Za-z0-9_-]*)\s*\(\s*([a-z][a-z0-9_]*(?:\s*,\s*[a-z][a-z0-9_]*)*)\s*\)\s*")
 _FIELD = re.compile(r"\{(?:the )?(?:full )?([^{}]*)\}")
 
@@ -71,6 +71,10 @@ class Step(Value):
         Name of the step whose end also ends what is open-ended in this one.
     unless_known
         A slot: the step is left out if the scene knows where that is and the words do not say that it is lost.
+    by
+        Robot types that may do it, and what it consists of; default: all.
+    capability
+        Only robot types that have this capability may do it, and what it consists of.
     """
 
     do: str = ""
@@ -81,6 +85,8 @@ class Step(Value):
     after: tuple[str, ...] = ()
     until: str = ""
     unless_known: str = ""
+    by: tuple[Id, ...] = ()
+    capability: str = ""
 
     def _check(self) -> None:
         if bool(self.do) == bool(self.task):
@@ -131,14 +137,17 @@ class Method(Value):
     purpose
         What it is for, one sentence.
     says
-        Patterns, see :mod:`~missiontree.authoring.methods.patterns`.
+        Patterns, see :mod:`~missiontree.mission.pattern`.
     where
-        What must hold of a slot, by its name, any of: ``person``, ``animal``, ``object``, ``place``, ``lost``, ``hazard``.
+        What must hold of a slot, by its name, any of: ``person``, ``animal``, ``object``, ``place``, ``lost``, ``hazard``,
+        ``vessel`` (a thing that people are in, such as a ship or a tent).
     implies
         What the method needs and nobody mentions, by the name that steps use. ``responder`` is always there: those who are
         called for the hazards that the words name, maybe nobody; a step that speaks of nobody is left out.
     steps
         What is built below the objective; all of it is done.
+    assumes
+        What the method takes for granted, a sentence that the plan states as an assumption; ``{slot}`` as in a task.
     """
 
     id: Id
@@ -147,12 +156,14 @@ class Method(Value):
     where: Mapping[Id, tuple[str, ...]] = field(default_factory=dict)
     implies: Mapping[Id, Implied] = field(default_factory=dict)
     steps: tuple[Step, ...]
+    assumes: str = ""
 
     def _check(self) -> None:
         if not self.says or not self.steps:
             raise ValueError(f"method {self.id!r} needs patterns (says) and steps.")
         slots = self._slots()
         spoken = [name for step in self.all_steps for name in step.mentions]
+        spoken += _FIELD.findall(self.assumes)
         spoken += [name for implied in self.implies.values() for name in _FIELD.findall(implied.name)]
         for name in spoken:
             if name not in slots and name not in self.implies and name != RESPONDER:

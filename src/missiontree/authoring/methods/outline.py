@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
+from missiontree.authoring.methods.mention import Mention, title
 from missiontree.authoring.methods.method import Method, Step
-from missiontree.authoring.reading.entities import Mention, title
+from missiontree.mission.fleet import Fleet
 from missiontree.mission.routine import Routine, RoutineLibrary
 from missiontree.mission.tree import Gate, LinkKind
 
@@ -79,17 +80,27 @@ class Outline:
 
 
 class StepError(Exception):
-    """A method's step cannot be built with these routines; carries the sentence."""
+    """A method's step cannot be built with these routines and robots; carries the sentence."""
 
 
-def outline_of(method: Method, bindings: Bindings, library: RoutineLibrary) -> Outline:
+class NobodyError(Exception):
+    """No robot type has the capability that a method's step asks for."""
+
+    def __init__(self, capability: str) -> None:
+        super().__init__(f"no robot type has the capability {capability}")
+        self.capability = capability
+
+
+def outline_of(method: Method, bindings: Bindings, library: RoutineLibrary, fleet: Fleet) -> Outline:
     """
     The steps of a method with its slots filled. A step whose slot holds several is built for each of them; for none, it is left out.
 
     Raises
     ------
     StepError
-        If a step names a routine that is not on offer, or gives it the wrong number of arguments.
+        If a step names a routine that is not on offer, gives it the wrong number of arguments, or allows no robot type of the fleet.
+    NobodyError
+        If no robot type has the capability that a step asks for.
     """
     built = Outline()
     made: dict[int, list[Piece]] = {}  # by the step's identity: two steps may look alike
@@ -98,6 +109,8 @@ def outline_of(method: Method, bindings: Bindings, library: RoutineLibrary) -> O
         made[id(step)] = _pieces(
             step, [piece for below in step.steps for piece in made.get(id(below), [])], bindings, library
         )
+        if (allowed := _allowed(step, fleet)) is not None:
+            restrict(made[id(step)], allowed)
     built.pieces = [piece for step in method.steps for piece in made.get(id(step), [])]
     standing = set(built.all_pieces)
     for pieces in made.values():  # what hangs below a step that is left out goes with it
@@ -123,6 +136,38 @@ def _pieces(step: Step, below: list[Piece], bindings: Bindings, library: Routine
     if step.do:
         return [_leaf(step, mentions, library) for mentions in _rows(step.arguments, bindings)]
     return [Piece(title(fill(step.task, bindings)), pieces=below, gate=step.gate)] if below else []
+
+
+def _allowed(step: Step, fleet: Fleet) -> tuple[str, ...] | None:
+    """The robot types that may do a step, in the order of the fleet; None if it allows all."""
+    if not step.by and not step.capability:
+        return None
+    able = [kind.id for kind in fleet.types if not step.capability or step.capability in kind.capabilities]
+    if not able:
+        raise NobodyError(step.capability)
+    allowed = tuple(kind for kind in able if not step.by or kind in step.by)
+    if not allowed:
+        needed = f", of which none has the capability {step.capability}" if step.capability else ""
+        has = f"the fleet has {', '.join(kind.id for kind in fleet.types)}"
+        raise StepError(f"the method allows only robot type {' or '.join(step.by)}{needed}; {has}")
+    return allowed
+
+
+def restrict(pieces: Iterable[Piece], allowed: tuple[str, ...]) -> None:
+    """
+    Let only these robot types do what the pieces ask for, of those that may do it so far.
+
+    Raises
+    ------
+    StepError
+        If that leaves none.
+    """
+    for leaf in (leaf for piece in pieces for leaf in piece.leaves):
+        both = tuple(kind for kind in leaf.resources if kind in allowed) if leaf.resources else allowed
+        if not both:
+            sides = f"{' or '.join(leaf.resources)} on the one hand, {' or '.join(allowed)} on the other"
+            raise StepError(f"no robot type may do {leaf.label}: allowed are {sides}")
+        leaf.resources = both
 
 
 def _about(pieces: list[Piece]) -> list[tuple[frozenset[str], Piece]]:

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from missiontree.authoring.language.lexicon import Lexicon, Verb
 from missiontree.authoring.methods.method import Method, MethodLibrary, built_in_methods
-from missiontree.authoring.methods.patterns import Element, Form, fixed_words
 from missiontree.authoring.reading.wording import ANY, TO
+from missiontree.mission.pattern import Element, Form, fixed_words
 from missiontree.mission.routine import Routine, RoutineLibrary
 from missiontree.routines.library import built_in
 
@@ -62,9 +62,12 @@ def _of_routines(verb: Verb, library: RoutineLibrary, lexicon: Lexicon) -> Itera
     for order, routine in enumerate(library.routines):
         own = ours.get(routine.id) != routine
         verbs = [known.lower() for known in routine.verbs]
+        tier = _OWN_ROUTINE if own else _ROUTINE
+        for form in (form for forms in routine.forms for form in forms if _begins(form, verb, lexicon)):
+            yield Candidate((tier, -fixed_words(form) - len(routine.arguments), order), form, routine=routine)
         exact = verb.phrase in verbs
         if exact or any(goals & set(lexicon.goals_of.get(known, ())) for known in verbs):
-            tier = (_OWN_ROUTINE if own else _ROUTINE) if exact else _SAME_GOAL
+            tier = tier if exact else _SAME_GOAL
             yield Candidate((tier, -len(routine.arguments), order), _form(routine, verb, own=own), routine=routine)
 
 

@@ -7,11 +7,12 @@ import unicodedata
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
-from missiontree.authoring.language.lexicon import Lexicon, Verb
+from missiontree.authoring.language.lexicon import Lexicon, Verb, phrases_of
 
-Relation = Literal["start", "and", "then", "meanwhile", "before", "after", "while", "until", "shares"]
+Relation = Literal["start", "and", "then", "earlier", "meanwhile", "before", "after", "while", "until", "shares", "or"]
 MAX_WORDS = 1000
 MAX_CLAUSE_WORDS = 60
+MAX_SUBJECT_WORDS = 10
 MARK = "@"  # begins a word that stands for a robot; no word of a text does, since signs are words of their own
 _TITLES = frozenset({"mr", "mrs", "ms", "dr", "prof"})
 _WORD = re.compile(r"\w+(?:['\-.,:]\w+)*|\S")
@@ -19,11 +20,62 @@ _QUOTES = str.maketrans(
     {"’": "'", "‘": "'", "“": " ", "”": " ", '"': " ", "„": " ", "«": " ", "»": " ", "‐": "-", "‑": "-"}
 )
 _BLANK_BEFORE_SIGN = re.compile(r" (?=[,)])")
-_STOPS = frozenset(".!?;:")
+STOPS = frozenset(".!?;:")
 _AUXILIARIES = frozenset({"is", "are", "be", "gets", "been"})
+_GO = frozenset(
+    {
+        "go",
+        "come",
+        "drive",
+        "walk",
+        "head",
+        "return",
+        "travel",
+        "fly",
+        "going",
+        "driving",
+        "walking",
+        "heading",
+        "returning",
+    }
+)
+_ALONE = frozenset({"home", "there"})
+_MUST = frozenset({"has", "have", "needs", "need", "is", "are", "ought"})
 _DOERS = frozenset({"you", "we", "they", "the robots", "the robot", "a robot", "robots"})
-_MODALS = frozenset({"must", "should", "shall"})
+_DOING = tuple(
+    tuple(who.split())
+    for who in ("you are", "we are", "they are", "the robots are", "robots are", "a robot is", "the robot is")
+)
+_MODALS = frozenset({"must", "should", "shall", "to"})
+_CAUSES = phrases_of("statements", "causes")
+_TO_BE: frozenset[str] = frozenset({"a", "an", "the"})
+_IN_ORDER = phrases_of("statements", "in_order")
+_DASH = re.compile(r"\s[-\u2013\u2014]+\s|\u2014")
 _COORDINATE = frozenset({"and", "then", "meanwhile"})
+_TO_MAIN = frozenset({"then", "and", "meanwhile", "earlier", "or"})
+_OBJECTS = frozenset(
+    {
+        "the",
+        "a",
+        "an",
+        "my",
+        "your",
+        "his",
+        "her",
+        "its",
+        "our",
+        "their",
+        "it",
+        "him",
+        "them",
+        "all",
+        "both",
+        "every",
+        "each",
+        "this",
+        "that",
+    }
+)
 _SUBORDINATE = frozenset({"before", "after", "while", "until"})
 
 
@@ -47,18 +99,26 @@ class Clause:
     verb
         The verb it begins with; None if none is understood.
     relation
-        How it is joined to ``anchor``: itself *before*, *after*, *while* ... the other says so. ``shares``: it has no object of its
-        own and takes that of the clause behind it.
+        How it is joined to ``anchor``: itself *before*, *after*, *while* ... the other says so. ``earlier``: it ends before the other
+        starts. ``or``: one of the two is done. ``shares``: it has no object of its own and takes that of the clause behind it.
     anchor
         Index of the clause it is joined to; None if to none.
     passed_over
         Words that change nothing, left out of ``words``.
     decisive
         Words that change what is asked for; if there are any, the clause is not understood.
-    robots
-        Robot types that are named to do it.
+    asked
+        Robot types that are named to do it, once for each naming; any of one naming may.
+    without
+        Robot types that are left out.
     leads
-        Whether they are named before the verb.
+        Whether those asked are named before the verb.
+    either
+        Whether a choice begins here that ends with the clause joined by *or*.
+    in_order
+        Whether what it asks for is to be done in the order in which it is named.
+    pause
+        Whether a comma stands before the *and* that joins it.
     sentence
         Number of its sentence.
     """
@@ -69,23 +129,50 @@ class Clause:
     anchor: int | None = None
     passed_over: tuple[str, ...] = ()
     decisive: tuple[str, ...] = ()
-    robots: tuple[str, ...] = ()
+    asked: tuple[tuple[str, ...], ...] = ()
+    without: tuple[str, ...] = ()
     leads: bool = False
+    either: bool = False
+    in_order: bool = False
+    pause: bool = False
     sentence: int = 0
+
+    @property
+    def robots(self) -> tuple[str, ...]:
+        """Robot types that may do it, going by what is asked for; none means any."""
+        return self.asked[0] if self.asked else ()
 
     @property
     def text(self) -> str:
         """The words as they were written."""
-        return _BLANK_BEFORE_SIGN.sub("", " ".join(word.text for word in self.words))
+        return _BLANK_BEFORE_SIGN.sub("", " ".join(word.text for word in self.words if word.text))
 
 
 def words_of_text(text: str) -> tuple[Word, ...]:
     """The words and signs of a text; look-alike signs made alike, quotation marks left out."""
-    plain = unicodedata.normalize("NFC", text).translate(_QUOTES)
+    plain = _DASH.sub(" , ", unicodedata.normalize("NFC", text).translate(_QUOTES))
     words = [Word(word, word.lower()) for word in _WORD.findall(plain)]
+    for place in range(len(words) - 1, 0, -1):  # "go home" as "go to home"
+        if words[place].low in _ALONE and words[place].text.islower() and words[place - 1].low in _GO:
+            words.insert(place, Word("", "to"))
     return tuple(
-        word for place, word in enumerate(words) if not (word.low == "." and place and words[place - 1].low in _TITLES)
+        word
+        for place, word in enumerate(words)
+        if not (word.low == "." and place and words[place - 1].low in _TITLES) and not _needless(words, place)
     )
+
+
+def _needless(words: list[Word], place: int) -> bool:
+    """Whether a comma only sets off what describes: "Anna, who is lost" and "the safe, which is heavy, to the hall"."""
+    if words[place].low != ",":
+        return False
+    following = words[place + 1].low if place + 1 < len(words) else ""
+    if following in {"who", "which", "whose"}:
+        return True
+    if following in _MODALS | _MUST | {"can", "will"} and words[place - 1].low not in STOPS:
+        return bool({"who", "which", "whose"} & {word.low for word in words[max(0, place - 14) : place]})
+    before = [word.low for word in words[max(0, place - 10) : place]]
+    return following in {"to", "into", "onto"} and bool({"who", "which", "whose"} & set(before))
 
 
 def clauses_of(words: tuple[Word, ...], lexicon: Lexicon) -> tuple[Clause, ...]:
@@ -103,6 +190,8 @@ class _Splitter:
     held: list[Word] = field(default_factory=list)
     relation: Relation = "start"
     anchor: int | None = None
+    pause: bool = False  # a comma stands before the clause under way
+    either: bool = False  # the clause under way begins a choice
     leading: bool = False  # the clause under way is subordinate and its main clause comes behind it
     main: int | None = None  # index of the last main clause
     pending: tuple[Relation, int | None] = ("start", None)  # how that main clause is joined to what stands before both
@@ -120,20 +209,67 @@ class _Splitter:
 
     def _step(self, lows: list[str], place: int) -> int:
         """Take what stands at a place; return how many words that was."""
-        if lows[place] in _STOPS:
+        if lows[place] in STOPS:
             self._close("start")
             self.sentence += 1
             return 1
-        if (joined := self.lexicon.joins.at(lows, place)) is not None and self._joins(lows, place, *joined):
+        over = self.lexicon.passed_over.at(lows, place)
+        joined = self.lexicon.joins.at(lows, place)
+        if over is not None and over[1] > 1 and (joined is None or over[1] > joined[1]):
+            self.held += self.words[place : place + over[1]]  # the "once" of "at once" joins nothing
+            return over[1]
+        if joined is not None and self._joins(lows, place, *joined):
             return joined[1]
+        if (
+            lows[place] == "either"
+            and not _says_something(self.held, self.lexicon)
+            and self._verb_follows(lows, place + 1)
+        ):
+            self.either = True
+            return 1
+        if lows[place] in {"or", "but"} and (width := self._or_but(lows, place)):
+            return width
+        if lows[place] == "to" and self._purpose(lows, place):
+            self._close("then")  # "go to the hall to find Anna"
+            return 1
         if lows[place] in {"and", ","}:
             return self._comma_or_and(lows, place)
         self.held.append(self.words[place])
         return 1
 
+    def _purpose(self, lows: list[str], place: int) -> bool:
+        """Whether a robot that goes somewhere is told what to do there."""
+        verb = self._verb_of(self.held)
+        if verb is None or len(self.held) <= verb.length or "reach" not in self.lexicon.goals_of.get(verb.phrase, ()):
+            return False
+        doing = self.lexicon.verb_at(lows, place + 1, "base")
+        behind = place + 1 + doing.length if doing is not None else len(lows)
+        about = self.words[behind] if behind < len(lows) else None
+        return about is not None and (about.low in _OBJECTS or about.text[:1].isupper())
+
+    def _or_but(self, lows: list[str], place: int) -> int:
+        """An *or* between two clauses, or a *but* that only goes on; 0 if it is neither."""
+        behind = place + 1 + (lows[place + 1 : place + 2] == ["else"] and lows[place] == "or")
+        if lows[place] == "or":
+            if not self.held or lows[behind : behind + 1] == ["to"] or not self._verb_follows(lows, behind):
+                return 0
+            self._close("or")
+            return behind - place
+        joined = self.lexicon.joins.at(lows, behind)
+        if joined is not None and joined[0] == "first":
+            self._close("earlier")
+            return behind + joined[1] - place
+        if joined is not None or self._verb_follows(lows, behind):
+            return 1 if not self.held else self._comma_or_and(lows, place)
+        return 0
+
     def _joins(self, lows: list[str], place: int, relation: str, length: int) -> bool:
         if relation == "first":
-            return not self.held
+            ends = lows[place + length : place + length + 1]
+            return not self.held or not ends or ends[0] in {",", "and", "then", *STOPS}
+        if relation == "earlier":
+            self._close("earlier")
+            return True
         if relation == "then" and lows[place] == "next" and lows[place + 1 : place + 2] == ["to"]:
             return False
         if relation in {"then", "meanwhile"}:
@@ -152,8 +288,10 @@ class _Splitter:
 
     def _comma_or_and(self, lows: list[str], place: int) -> int:
         behind = place + 1
-        while behind < len(lows) and lows[behind] in {"and", ","}:
+        while behind < len(lows) and lows[behind] in {"and", ",", "but", "so"}:
             behind += 1
+        if "but" in lows[place:behind] and self._is_first(lows, behind):
+            return behind - 1 - place  # "but first" is for the next step
         if (joined := self.lexicon.joins.at(lows, behind)) is not None and not self._is_first(lows, behind):
             if joined[0] in _SUBORDINATE and "and" in lows[place:behind] and not self.leading:
                 self._close("and")  # "and when it is found, ..." belongs to what comes
@@ -165,10 +303,13 @@ class _Splitter:
         if self.held and self._one_verb(lows, place):
             self.held.append(self.words[place])
             return 1
-        if self.held and self._verb_follows(lows, behind):
+        if self.held and lows[behind : behind + 1] == ["or"] and self._verb_follows(lows, behind + 1):
+            return behind - place  # "do this, or do that"
+        if self.held and self._clause_follows(lows, behind):
             spoken = _without_openings(self.held, self.lexicon)[0]
             alone = (verb := self._verb_of(self.held)) is not None and verb.length == len(spoken)
             self._close("and", shares=alone)
+            self.pause = lows[place] == "," and "and" in lows[place:behind]
             return behind - place
         if self.held:
             self.held.extend(self.words[place:behind])
@@ -192,8 +333,31 @@ class _Splitter:
             place += hit[1] if hit else 1
         if (hit := self.lexicon.openings.at(lows, place)) is not None:
             place += hit[1]
+        if place < len(lows) and self.words[place].text[:1].isupper() and not self._all_capitals:
+            return self._passive_follows(lows, place)  # a name, such as "Block B"
         gerunds = (verb := self._verb_of(self.held)) is not None and verb.form == "gerund"
-        return self.lexicon.verb_at(lows, place, *(("gerund",) if gerunds else ("base",))) is not None
+        verb = self.lexicon.verb_at(lows, place, *(("gerund",) if gerunds else ("base",)))
+        return verb is not None or self._passive_follows(lows, place)
+
+    @property
+    def _all_capitals(self) -> bool:
+        return all(word.text == word.text.upper() for word in self.words)
+
+    def _clause_follows(self, lows: list[str], place: int) -> bool:
+        """Whether another clause begins there, and not only a further subject: "the bed and the chair must be moved"."""
+        if not self._verb_follows(lows, place):
+            return False
+        held = [word.low for word in self.held]
+        return self._verb_of(self.held) is not None or "be" in held or not self._passive_follows(lows, place)
+
+    def _passive_follows(self, lows: list[str], place: int) -> bool:
+        """Whether something like "Anna has to be guided" begins there."""
+        for at in range(place + 1, min(place + MAX_SUBJECT_WORDS, len(lows) - 1)):
+            if lows[at - 1] in STOPS | {"and", ",", "then", "that", "who", "which"}:
+                return False
+            if lows[at] == "be" and lows[at - 1] in _MODALS:
+                return self.lexicon.verb_at(lows, at + 1, "past") is not None
+        return False
 
     def _verb_of(self, words: list[Word]) -> Verb | None:
         kept, _ = _without_openings(words, self.lexicon)
@@ -206,7 +370,12 @@ class _Splitter:
             index = len(self.done)
             anchor = index + 1 if self.leading or shares else self.anchor
             joined: Relation = "shares" if shares else self.relation
-            self.done.append(replace(clause, relation=joined, anchor=anchor, sentence=self.sentence))
+            self.done.append(
+                replace(
+                    clause, relation=joined, anchor=anchor, sentence=self.sentence, either=self.either, pause=self.pause
+                )
+            )
+            self.either = self.pause = False
             if not self.leading and self.relation not in _SUBORDINATE:
                 self.main = index
         elif following in {"start", "and"}:
@@ -221,7 +390,7 @@ class _Splitter:
             and not self.leading
         )
         if not inherits and not shares:
-            self.relation, self.anchor = following, self.main if following in {"then", "and", "meanwhile"} else None
+            self.relation, self.anchor = following, self.main if following in _TO_MAIN else None
         self.leading = False
 
     @staticmethod
@@ -246,21 +415,72 @@ def _is_mark(lows: list[str], place: int) -> bool:
 
 def _finished(words: tuple[Word, ...], lexicon: Lexicon, *, is_event: bool) -> Clause:
     marks = [place for place, word in enumerate(words) if _is_mark([word.low], 0)]
-    robots = tuple(dict.fromkeys(words[place].low.removeprefix(MARK) for place in marks))
+    asked = tuple(dict.fromkeys(tuple(words[place].low.removeprefix(MARK).split("|")) for place in marks))
     before, _ = _without_openings(list(words[: marks[0]]), lexicon) if marks else ([], ())
     leads = bool(marks) and lexicon.verb_at([word.low for word in before], 0, "base", "gerund") is None
     words = tuple(word for place, word in enumerate(words) if place not in marks)
-    lows = [word.low for word in words]
-    decisive = tuple(phrase for phrase, _, _ in lexicon.decisive.within(lows))
     kept, passed = _without_openings(list(words), lexicon)
+    doers = next((len(who) for who in _DOING if is_event and tuple(word.low for word in kept[: len(who)]) == who), 0)
+    if lexicon.verb_at([word.low for word in kept], doers, "gerund") is not None:
+        kept = kept[doers:]  # "while you are looking for it"
+    kept, in_order = _without_order(kept)
     kept, more = _without_passed_over(kept, lexicon)
     while kept and kept[-1].low == ",":
         kept.pop()
     kept, _ = _without_openings(kept, lexicon)
-    kept = _active(kept, lexicon, is_event=is_event)
-    verb = lexicon.verb_at([word.low for word in kept], 0, "base", "gerund")
-    over = (*passed, *more)
-    return Clause(words=tuple(kept), verb=verb, passed_over=over, decisive=decisive, robots=robots, leads=leads)
+    kept = _caused(_active(kept, lexicon, is_event=is_event), lexicon)
+    lows = [word.low for word in kept]
+    verb = lexicon.verb_at(lows, 0, "base", "gerund")
+    return Clause(
+        words=tuple(kept),
+        verb=verb,
+        passed_over=(*passed, *more),
+        decisive=tuple(phrase for phrase, _, _ in lexicon.decisive.within(lows)),
+        asked=asked,
+        leads=leads,
+        in_order=in_order,
+    )
+
+
+def _caused(words: list[Word], lexicon: Lexicon) -> list[Word]:
+    """Turn "have the crate moved to the hall" and "I need the crate taken to the hall" into "move the crate to the hall"."""
+    lows = [word.low for word in words]
+    start = next((len(phrase) for phrase in _CAUSES if tuple(lows[: len(phrase)]) == phrase), 0)
+    if not start:
+        return words
+    for place in range(start + 1, min(len(lows), MAX_CLAUSE_WORDS)):
+        if lows[place - 1] in _TO_BE or (verb := _past(lows, place, lexicon)) is None:
+            continue
+        if lows[place - 1] in {"that", "who", "which", "is", "was", "been"}:
+            continue
+        end = (
+            place - 2
+            if lows[place - 2 : place] == ["to", "be"]
+            else place - 1
+            if lows[place - 1] in _AUXILIARIES
+            else place
+        )
+        return [*(Word(part, part) for part in verb.phrase.split()), *words[start:end], *words[place + verb.length :]]
+    return words
+
+
+def _past(lows: list[str], place: int, lexicon: Lexicon) -> Verb | None:
+    """The verb that begins there; in "moved to the hall", *move* and not *move to*, which asks whoever moves."""
+    verb = lexicon.verb_at(lows, place, "past")
+    if verb is None or verb.length == 1 or verb.phrase.split()[-1] not in {"to", "from"}:
+        return verb
+    return lexicon.verb_at(lows[: place + 1], place, "past") or verb
+
+
+def _without_order(words: list[Word]) -> tuple[list[Word], bool]:
+    """The words without a closing "in that order", and whether there was one."""
+    while words and words[-1].low == ",":
+        words = words[:-1]
+    for phrase in _IN_ORDER:
+        width = len(phrase)
+        if len(words) > width and tuple(word.low for word in words[-width:]) == phrase:
+            return words[:-width], True
+    return words, False
 
 
 def _without_openings(words: list[Word], lexicon: Lexicon) -> tuple[list[Word], tuple[str, ...]]:
@@ -306,10 +526,11 @@ def _active(words: list[Word], lexicon: Lexicon, *, is_event: bool) -> list[Word
     for place in range(1, min(len(lows), MAX_CLAUSE_WORDS)):
         if lows[place] not in _AUXILIARIES:
             continue
-        behind = place + 1 + (lows[place + 1 : place + 2] == ["been"])
+        behind = place + 1 + (lows[place + 1 : place + 2] in (["been"], ["being"]))
         asked = lows[place] == "be" and lows[place - 1] in _MODALS
-        if (asked or is_event) and (verb := lexicon.verb_at(lows, behind, "past")) is not None:
-            end = place - 1 if asked or lows[place - 1] in {"has", "have"} else place
+        must = place - 2 if lows[place - 1] == "to" and lows[place - 2] in _MUST else place - 1
+        if (asked or is_event) and (verb := _past(lows, behind, lexicon)) is not None:
+            end = must if asked else place - 1 if lows[place - 1] in {"has", "have"} else place
             active = [Word(part, part) for part in verb.phrase.split()]
             return [*active, *words[:end], *words[behind + verb.length :]]
     return words

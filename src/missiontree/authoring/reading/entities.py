@@ -2,39 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from missiontree.authoring.language.kinds import is_abstract
 from missiontree.authoring.matching import is_misspelt, listed
-from missiontree.authoring.reading.phrases import Phrase, is_plural, kind_of_phrase
+from missiontree.authoring.methods.mention import Mention, UnclearError, title
+from missiontree.authoring.reading.ones import picked, with_noun
+from missiontree.authoring.reading.phrases import Phrase, is_plural, kind_of_phrase, plural, singular
 from missiontree.authoring.reading.places import is_designation, place_said, plain, spellings, stands_at
+from missiontree.authoring.reading.pronouns import antecedent, fits
 from missiontree.mission.entity import Entity
 from missiontree.mission.scene import Scene
-
-_SMALL = frozenset(
-    {
-        "the",
-        "a",
-        "an",
-        "and",
-        "or",
-        "of",
-        "in",
-        "on",
-        "at",
-        "to",
-        "with",
-        "for",
-        "from",
-        "by",
-        "into",
-        "her",
-        "his",
-        "its",
-        "their",
-    }
-)
-
 
 # "All places" are all that the scene has, of whatever kind it says they are.
 _BASES = {
@@ -49,52 +29,7 @@ _BASES = {
 }
 _PLURAL = {"place": "places", "object": "objects", "animal": "animals", "person": "people"}
 _WHERE = ("in ", "at ", "inside ", "from ", "on ")
-_INFANTS = frozenset({"child", "baby", "infant", "toddler"})  # may be "it"
-
-
-@dataclass(frozen=True, slots=True)
-class Mention:
-    """
-    Somebody or something, as the calls name it.
-
-    Parameters
-    ----------
-    name
-        Id of an entity of the scene, or the name under which it is introduced.
-    label, full
-        What people read, without and with its states.
-    kind
-        Its base kind.
-    determined
-        Whether "the" goes before it.
-    new
-        Whether the scene does not have it.
-    known
-        Whether the scene knows where it is.
-    lost
-        Whether the words say that it is lost.
-    plural
-        Whether it is more than one.
-    """
-
-    name: str
-    label: str
-    full: str
-    kind: str
-    determined: bool = True
-    new: bool = True
-    known: bool = False
-    lost: bool = False
-    plural: bool = False
-
-    @property
-    def to_be_found(self) -> bool:
-        """Whether it has to be searched for before anything else is done with it."""
-        return self.lost or (not self.new and not self.known and self.kind != "place")
-
-
-class UnclearError(Exception):
-    """What is meant cannot be said; carries a sentence that asks. Never leaves the reading of a clause."""
+_EVERYBODY = frozenset({"everyone", "everybody", "anyone", "anybody"})
 
 
 @dataclass
@@ -108,6 +43,35 @@ class Speakers:
     """Mentions clause by clause, those that were named together in one."""
     lost: set[str] = field(default_factory=set)
     """Names of those who were stated to be lost."""
+    numbered: dict[str, tuple[Mention, ...]] = field(default_factory=dict)
+    """Those who were introduced by their number, such as the three crates, by their noun."""
+
+    starts: dict[str, str] = field(default_factory=dict)
+    """Where somebody or something was taken from, by name."""
+
+    def kept(self) -> Speakers:
+        """A copy, to come back to if a way of reading a clause leads nowhere."""
+        said = [list(groups) for groups in self.said]
+        return replace(
+            self,
+            described=dict(self.described),
+            said=said,
+            lost=set(self.lost),
+            numbered=dict(self.numbered),
+            starts=dict(self.starts),
+        )
+
+    def joined(self, other: Speakers, clauses: int) -> Speakers:
+        """These, with what another way of reading the clause under way has mentioned beside it."""
+        mine, its = self.kept(), other.kept()
+        for number in range(max(clauses - 1, 0), len(its.said)):
+            if number == len(mine.said):
+                mine.said.append([])
+            mine.said[number] += [group for group in its.said[number] if group not in mine.said[number]]
+        mine.described |= its.described
+        mine.numbered |= its.numbered
+        mine.starts |= its.starts
+        return mine
 
     def next_clause(self) -> None:
         """What is said from now on belongs to a new clause."""
@@ -118,7 +82,48 @@ class Speakers:
         """Keep what was mentioned, for pronouns."""
         self.said[-1].extend(groups)
 
-    def resolve(self, phrase: Phrase) -> tuple[Mention, ...]:
+    def resolved(
+        self, phrases: Sequence[Phrase], slot: int, kind: str = "", beside: Collection[str] = ()
+    ) -> tuple[Mention, ...]:
+        """
+        Who is meant by phrases that stand together, in a slot by number; see :meth:`resolve`.
+
+        A noun that is not known is taken to be of ``kind``, if the slot is for that kind alone.
+        """
+        found: tuple[Mention, ...] = ()
+        for phrase in phrases:
+            found += self.resolve(with_noun(phrase, self.said, slot, found), kind, beside)
+        return found
+
+    def came_from(self, read: Mapping[str, tuple[Phrase, ...]], said: Mapping[str, tuple[Mention, ...]]) -> None:
+        """Keep where things were taken from, for what is brought back."""
+        for slot, phrases in read.items():
+            for phrase in phrases:
+                preposition, _, place = phrase.description.partition(" ")
+                if preposition.lower() == "from":
+                    start = re.sub(r"^(the|a|an|my|our|her|his|their) ", "", place, flags=re.IGNORECASE)
+                    self.starts |= {mention.name: start for mention in said[slot]}
+
+    def moved(self, phrase: Phrase) -> tuple[Mention, ...]:
+        """Who is meant by what is brought back; of several that a pronoun may mean, the one that was taken from somewhere."""
+        try:
+            return self.kept().resolve(phrase)
+        except UnclearError:
+            groups = next((groups for groups in reversed(self.said) if groups), [])
+            taken = {m.name: m for group in groups for m in group if m.name in self.starts and fits(m, phrase)}
+            if not phrase.pronoun or len(taken) != 1:
+                raise
+            return tuple(taken.values())
+
+    def start_of(self, mention: Mention) -> str:
+        """Where somebody or something was taken from, or is by the scene; empty if nobody knows."""
+        if mention.name in self.starts:
+            return self.starts[mention.name]
+        entity = self.scene.by_id.get(mention.name)
+        place = self.scene.by_id.get(entity.place) if entity is not None and entity.place is not None else None
+        return place.label if place is not None else ""
+
+    def resolve(self, phrase: Phrase, expected: str = "", beside: Collection[str] = ()) -> tuple[Mention, ...]:
         """
         Who is meant: one, or for a plural all of the scene that it fits.
 
@@ -128,8 +133,21 @@ class Speakers:
             If it may be several, or nobody.
         """
         if phrase.pronoun:
-            return self._antecedent(phrase)
+            return tuple(self._again(mention) for mention in antecedent(phrase, self.said, beside))
+        if phrase.name.lower() in _EVERYBODY:
+            phrase = replace(phrase, name="people" if self.complete else phrase.name)
+        if group := self._numbered(phrase):
+            return tuple(self._again(mention) for mention in group)
         found = self._at_place(self._in_scene(phrase), phrase)
+        if found and phrase.ordinal:
+            raise UnclearError(f"{phrase.text!r} may be any of {listed(sorted(e.id for e in found))}; say which one")
+        if found and phrase.other:
+            several = replace(phrase, every=True)
+            among = tuple(self._of_scene(entity, phrase) for entity in self._at_place(self._in_scene(several), several))
+            return picked(phrase, among, self.said)
+        if phrase.count is not None and found and len(found) != phrase.count:
+            options = listed(sorted(entity.id for entity in found))
+            raise UnclearError(f"{phrase.text!r} are {phrase.count}, and the scene has {len(found)}: {options}")
         if len(found) > 1 and not phrase.several:
             options = ", ".join(sorted(entity.id for entity in found))
             raise UnclearError(f"{phrase.text!r} may be any of {options}; say which one")
@@ -140,7 +158,38 @@ class Speakers:
             raise UnclearError(f"the scene has {options}, and none of them is called {phrase.name!r}")
         self._refuse_misspelt(phrase)
         self._refuse_none(phrase)
-        return (self._introduced(phrase),)
+        if phrase.ordinal:
+            raise UnclearError(f"it is not clear what {phrase.text!r} means; give it a name")
+        if phrase.count is not None:
+            return self._counted(phrase)
+        return (self._introduced(phrase, expected),)
+
+    def _numbered(self, phrase: Phrase) -> tuple[Mention, ...]:
+        """Those introduced by number whom a phrase means: "the crates", "the other crate", "the second one"."""
+        group = self.numbered.get(singular(plain(phrase.name)), ())
+        if not group or not (phrase.several or phrase.other or phrase.ordinal):
+            return ()
+        if phrase.other or phrase.ordinal:
+            return picked(phrase, group, self.said)
+        if phrase.count not in {None, len(group)}:
+            raise UnclearError(f"{phrase.text!r} are {phrase.count}, and before they were {len(group)}")
+        return group
+
+    def _counted(self, phrase: Phrase) -> tuple[Mention, ...]:
+        """As many as the words say, numbered."""
+        assert phrase.count is not None
+        *before, noun = phrase.name.split()
+        one = " ".join((*before, singular(noun.lower()) if noun.islower() else singular(noun)))
+        alone = replace(phrase, name=one, count=None, every=False, determined=True)
+        first = self._introduced(alone)
+        group = tuple(
+            replace(
+                first, name=f"{first.name} {number}", label=f"{first.label} {number}", full=f"{first.full} {number}"
+            )
+            for number in range(1, phrase.count + 1)
+        )
+        self.numbered[singular(plain(phrase.name))] = group
+        return group
 
     def _refuse_misspelt(self, phrase: Phrase) -> None:
         """A name that is nearly one of the scene is no name of somebody new."""
@@ -194,6 +243,9 @@ class Speakers:
             bases = {base for form in forms for base in _BASES.get(form, ())}
             called = [e for e in everyone if e in single or e in called or self.scene.base_kind(e.kind) in bases]
             single = []
+        owner, _, owned = name.partition("'s ")
+        if owned and not (exact or single or called) and any(self._is_called(e, owner) for e in everyone):
+            return self._in_scene(replace(phrase, name=owned))
         groups = (exact, single, called)
         found = next((group for group in groups if group), [])
         return self._narrowed(found, phrase)
@@ -210,6 +262,8 @@ class Speakers:
         traits = {word for trait in entity.traits for word in plain(trait).split()}
         kinds = {plain(kind) for kind in self.scene.lineage(entity.kind)} - {"object", "place"}
         heads = {spelling.split()[-1] for spelling in spellings(entity) if spelling} | kinds
+        if self.scene.base_kind(entity.kind) == "person":
+            heads |= {spelling.split()[0] for spelling in spellings(entity) if spelling}
         heads |= {
             word
             for spelling in spellings(entity)
@@ -223,7 +277,7 @@ class Speakers:
         if len(found) < 2:
             return found
         said = {word for part in (*phrase.states, phrase.description) for word in plain(part).split()}
-        fitting = [e for e in found if said & {word for trait in e.traits for word in plain(trait).split()}]
+        fitting = [e for e in found if said & {w for text in (*e.traits, *spellings(e)) for w in plain(text).split()}]
         if not fitting and phrase.lost:
             fitting = [entity for entity in found if self.scene.whereabouts(entity).source != "known"]
         if not fitting and phrase.several and phrase.states:
@@ -245,15 +299,23 @@ class Speakers:
             plural=phrase.several,
         )
 
-    def _introduced(self, phrase: Phrase) -> Mention:
+    def _introduced(self, phrase: Phrase, expected: str = "") -> Mention:
+        if is_abstract(phrase.name) and not phrase.is_own_name and expected != "place":
+            raise UnclearError(f"{phrase.text!r} is nothing that a robot can find, reach or carry")
+        everybody = phrase.name.lower() in _EVERYBODY
+        if phrase.other and not phrase.several:
+            phrase = replace(phrase, name=f"other {phrase.name}")
+        elif phrase.every and not (everybody or phrase.count):
+            phrase = replace(phrase, name=plural(phrase.name))
         label = title(phrase.name)
         described = self.described.setdefault(label.lower(), phrase.description)
         if phrase.description and described != phrase.description:
             raise UnclearError(
                 f"it is not clear whether {phrase.text!r} is the {phrase.name} of before; give them different names"
             )
-        plural, kind = phrase.several, kind_of_phrase(phrase)
-        if kind is None and not (phrase.determined or plural or phrase.name[-1].isdigit()):
+        several, kind = phrase.several, "person" if everybody else kind_of_phrase(phrase)
+        kind = kind or expected or None
+        if kind is None and not (phrase.determined or several or is_designation(phrase.name.split()[-1].lower())):
             raise UnclearError(f"{phrase.text!r} is no noun that is known; say 'the {phrase.name}' if it is a thing")
         return Mention(
             label,
@@ -262,7 +324,7 @@ class Speakers:
             kind or "object",
             determined=phrase.determined,
             lost=phrase.lost or label in self.lost,
-            plural=plural,
+            plural=several,
         )
 
     def _at_place(self, found: list[Entity], phrase: Phrase) -> list[Entity]:
@@ -278,73 +340,14 @@ class Speakers:
             raise UnclearError(f"the scene has {' and '.join(e.label for e in found)} elsewhere, not at {place.label}")
         return there or found
 
-    def _antecedent(self, phrase: Phrase) -> tuple[Mention, ...]:
-        """Whom a pronoun means: somebody of the clause under way or of those before, the nearest first."""
-        if phrase.pronoun == "several":
-            return self._antecedents(phrase)
-        for groups in reversed(self.said):
-            fitting = {m.name: m for group in groups for m in group if _fits(m, phrase)}
-            if len(fitting) == 1:
-                return tuple(self._again(mention) for mention in fitting.values())
-            if fitting:
-                raise _which(phrase, fitting.values())
-        raise UnclearError(f"it is not clear what {phrase.text!r} means")
-
-    def _antecedents(self, phrase: Phrase) -> tuple[Mention, ...]:
-        """Whom "them" means: those named together in the nearest clause, or else the two that were named one by one."""
-        single: dict[str, Mention] = {}
-        for groups in reversed(self.said):
-            fitting = [[m for m in group if _fits(m, phrase)] for group in groups]
-            together = [group for group in fitting if len(group) > 1 or any(m.plural for m in group)]
-            if len(together) > 1:
-                raise _which(phrase, (mention for group in together for mention in group))
-            if together and not single:
-                return tuple({m.name: self._again(m) for m in together[0]}.values())
-            single |= {m.name: m for group in fitting for m in group if m.name not in single}
-            if together:
-                raise _which(phrase, single.values())
-        if len(single) == 2:
-            return tuple(self._again(single[name]) for name in sorted(single, key=self._first_said))
-        if single:
-            raise _which(phrase, single.values())
-        raise UnclearError(f"it is not clear what {phrase.text!r} means")
-
-    def _first_said(self, name: str) -> int:
-        everybody = (mention.name for groups in self.said for group in groups for mention in group)
-        return list(everybody).index(name)
-
     def _again(self, mention: Mention) -> Mention:
         """Somebody who is spoken of again; still lost if a statement said so."""
         return replace(mention, lost=mention.name in self.lost, determined=True)
 
 
-def _which(phrase: Phrase, mentions: Iterable[Mention]) -> UnclearError:
-    options = " or ".join(dict.fromkeys(mention.label for mention in mentions))
-    return UnclearError(f"{phrase.text!r} may mean {options}; say which one")
-
-
-def title(text: str) -> str:
-    """The text as a heading: small words small, all others with a capital letter."""
-    words = text.split()
-    return " ".join(
-        word if index and word.lower() in _SMALL else word[:1].upper() + word[1:] for index, word in enumerate(words)
-    )
-
-
-def _fits(mention: Mention, phrase: Phrase) -> bool:
-    if phrase.pronoun == "place":
-        return mention.kind == "place"
-    if phrase.pronoun == "person":
-        return mention.kind in {"person", "animal"} and not mention.plural
-    if phrase.pronoun == "several":
-        return mention.kind != "place"
-    infant = mention.name.lower().split()[-1] in _INFANTS
-    return (mention.kind in {"object", "animal"} or infant) and not mention.plural
-
-
 def _singular(noun: str) -> list[str]:
-    irregular = {"people": "person", "men": "man", "women": "woman", "children": "child", "mice": "mouse"}
-    forms = [noun, irregular.get(noun, noun)]
+    """The noun, and what it may be the plural of."""
+    forms = [noun, singular(noun)]
     forms += [
         noun[: -len(end)] + instead for end, instead in (("ies", "y"), ("es", ""), ("s", "")) if noun.endswith(end)
     ]

@@ -18,20 +18,28 @@ class Trouble:
 
 @dataclass(frozen=True, slots=True)
 class Unserved:
-    """A clause that is understood, but asks for what no routine does."""
+    """A clause that is understood, but asks for what no routine does, or for a capability that no robot type has."""
 
     goal: str
     verb: str
+    robots_lack: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Goal:
-    """A clause that is understood: what is to be built (nothing for a statement), how it was read, what was taken for granted."""
+    """A clause that is understood: what is to be built (nothing for a statement), how it was read, what was taken for granted.
+
+    ``slots`` is the number of arguments that its words fill; ``returns`` tells that something is brought back,
+    ``wished`` that somebody needs it, which a later clause may ask for in full.
+    """
 
     clause: Clause
     outline: Outline
     reading: str
     assumptions: tuple[Reason, ...] = ()
+    slots: int = 0
+    wished: bool = False
+    returns: bool = False
 
 
 def trouble(rule: str, clause: Clause, detail: str, hint: str = "") -> Trouble:

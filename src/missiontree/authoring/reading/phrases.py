@@ -7,11 +7,17 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from missiontree.authoring.language.kinds import kind_of
-from missiontree.authoring.language.lexicon import Lexicon
+from missiontree.authoring.language.lexicon import Lexicon, phrases_of
 from missiontree.authoring.reading.clauses import Word
+from missiontree.authoring.reading.quantity import number_of, quantity_of
 
 MAX_NAME_WORDS = 5
+ONES = frozenset({"one", "ones"})
 MAX_PHRASE_WORDS = 24
+_SOME_OF = frozenset({"couple", "pair", "lot", "bunch", "number", "handful", "dozen", "half", "most", "some", "few"})
+_GONE = phrases_of("statements", "gone")
+_PAST = frozenset({"yesterday", "this", "last", "ago"})
+_BEFORE_NOUNS = frozenset({"light", "heavy", "old", "young", "dear", "poor", "blind", "best"})
 _SINGULAR = frozenset({"gas", "lens", "canvas", "atlas", "news"})
 # A description that holds one of these says what is to be done, or with what, and not who is meant.
 _NOT_DESCRIBING = frozenset(
@@ -63,6 +69,12 @@ class Phrase:
         Whether the words say that nobody knows where it is, or that it cannot come by itself.
     every
         Whether all that are called so are meant: "all crates".
+    count
+        How many are meant: "the three crates"; None if that is not said.
+    other
+        Whether those that were not named so far are meant: "the other one".
+    ordinal
+        Which of several, from 1: "the second crate"; None if that is not said.
     text
         As it was written.
     """
@@ -75,12 +87,21 @@ class Phrase:
     pronoun: str = ""
     lost: bool = False
     every: bool = False
+    count: int | None = None
+    other: bool = False
+    ordinal: int | None = None
 
     @property
     def several(self) -> bool:
         """Whether more than one is meant, going by the words: "all staff", "crates"; not "Thomas", which is a name."""
         name_of_its_own = not self.determined and self.name[:1].isupper() and kind_of(self.name) is None
-        return self.every or (is_plural(self.name) and not name_of_its_own)
+        return self.every or self.count is not None or (is_plural(self.name) and not name_of_its_own)
+
+    @property
+    def is_own_name(self) -> bool:
+        """Whether it is written as a name of its own: "Rose", and neither "the rose" nor "ROSE" nor "rose"."""
+        first = self.name[:1].isupper() and not (len(self.name) > 1 and self.name == self.name.upper())
+        return first and not self.determined and len(self.name.split()) == 1
 
     @property
     def full(self) -> str:
@@ -104,6 +125,8 @@ class PhraseReader:
             return None
         if (whole := self._whole_name(tuple(words))) is not None:
             return (whole,)
+        if words[0].low == "both" and any(word.low == "and" for word in words):
+            words = words[1:]  # "both Anna and Bob"
         read = [self._read(part) for part in _parts(words)]
         return tuple(phrase for phrase in read if phrase is not None) if None not in read else None
 
@@ -132,38 +155,75 @@ class PhraseReader:
         name = " ".join(word.low for word in words[start:])
         if name not in self.known:
             return None
-        every = start > 0 and words[0].low == "all"
-        return Phrase(
-            name=" ".join(w.text for w in words[start:]), text=_text(words), determined=start > 0, every=every
-        )
+        return Phrase(name=_text(words[start:]), text=_text(words), determined=start > 0)
 
     def _one(self, words: tuple[Word, ...]) -> Phrase | None:
         if not words or len(words) > MAX_PHRASE_WORDS:
             return None
         if (known := self._whole_name(words)) is not None:
             return known
+        if (
+            len(words) == 1
+            and self._lexicon.hazard_words.at([words[0].low], 0) is not None
+            and words[0].low.endswith("ing")
+        ):
+            return Phrase(name=words[0].text, text=words[0].text)  # "from drowning"
         pronouns: dict[str, str] = self._lexicon.small["pronouns"]
         if len(words) == 1 and words[0].low in pronouns:
             return Phrase(name=words[0].low, text=words[0].text, pronoun=pronouns[words[0].low])
-        start = self._determiner(words)
+        if (them := self._them(words)) is not None or (them := self._everybody(words)) is not None:
+            return them
+        many = quantity_of(words)
+        start = many.length or self._determiner(words)
         end = self._end_of_name(words, start)
         states, name = self._states(words[start:end])
         behind = words[end:]
         if not self._is_name(name):
+            return None
+        if behind and behind[0].low == "of" and name[-1].low in ONES | _SOME_OF:
             return None
         if behind and behind[0].low == "of":
             belonging, behind = self._belonging(behind)
             name = (*name, *belonging)
         if not self._is_description(behind):
             return None
+        if many.count is not None and not is_plural(_text(name)):
+            return None
         return Phrase(
             name=_text(name),
             text=_text(words),
-            determined=start > 0 or "'" in name[0].text,
+            determined=(many.determined if many.length else start > 0) or "'" in name[0].text,
             states=tuple(word.low for word in states),
             description=_text(behind),
-            lost=any(word.low in self._small["lost"] for word in (*states, *behind)),
-            every=start > 0 and words[0].low == "all",
+            lost=any(word.low in self._small["lost"] for word in (*states, *behind)) or _is_gone(behind),
+            every=many.every,
+            count=many.count,
+            other=many.other,
+            ordinal=many.ordinal,
+        )
+
+    def _them(self, words: tuple[Word, ...]) -> Phrase | None:
+        """Words such as "both of them", "all three of them", "each of them", "them all", "the two of them", "both"."""
+        lows = [word.low for word in words]
+        if lows == ["both"] or lows in (["the", "two"], ["them", "both"]):
+            return Phrase(name="them", text=_text(words), pronoun="several", count=2)
+        if lows in (["them", "all"], ["all"]):
+            return Phrase(name="them", text=_text(words), pronoun="several")
+        if lows[-2:] != ["of", "them"] and lows[-2:] != ["of", "these"] and lows[-2:] != ["of", "those"]:
+            return None
+        before = [low for low in lows[:-2] if low not in {"the", "all", "each", "every", "one"}]
+        if lows[:-2] in (["each"], ["all"], ["each", "one"], ["every", "one"]):
+            return Phrase(name="them", text=_text(words), pronoun="several")
+        number = 2 if before == ["both"] else number_of(before[0]) if len(before) == 1 else None
+        return Phrase(name="them", text=_text(words), pronoun="several", count=number) if number else None
+
+    def _everybody(self, words: tuple[Word, ...]) -> Phrase | None:
+        """Words such as "everyone in the building", "anybody who is trapped": all people that the words fit."""
+        if words[0].low not in self._small["everybody"] or not self._is_description(words[1:]):
+            return None
+        lost = any(word.low in self._small["lost"] for word in words[1:])
+        return Phrase(
+            name=words[0].low, text=_text(words), description=_text(words[1:]), every=True, lost=lost, determined=False
         )
 
     def _belonging(self, behind: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Word, ...]]:
@@ -186,6 +246,8 @@ class PhraseReader:
             if low in self._small["describing"] or low in self._small["relatives"] or low == "next":
                 return place
             state = low in self._small["lost"] or low in self._small["states"]
+            if low in _BEFORE_NOUNS:
+                continue  # "the traffic light"
             if state and before not in self._small["lost"] and before not in self._small["states"]:
                 return place
             if kind_of(before) is not None and self._is_participle(low):
@@ -213,11 +275,15 @@ class PhraseReader:
         lows = [word.low for word in words]
         if lows[0] in self._small["directions"] and len(lows) == 1:
             return False
+        if lows[-1] in ONES:  # "the blue one"
+            return all(self._may_be_named(low, 0, 2, modifies=True) for low in lows[:-1])
         known = self._known_words(lows)
         for place, low in enumerate(lows):
             if known[place]:
                 continue
             follows_known = place + 1 < len(lows) and known[place + 1]
+            if place > 0 and is_letter(words[place]) and not words[place - 1].text.isupper():
+                continue  # "Block A"
             if not self._may_be_named(low, place, len(lows), modifies=follows_known):
                 return False
             verb = self._lexicon.verb_at(lows, place, "base", "past")
@@ -225,7 +291,13 @@ class PhraseReader:
                 return False
         whole_known = kind_of(" ".join(lows)) is not None
         proper = words[-1].text[:1].isupper() or any(letter.isdigit() for letter in lows[-1])
-        return known[-1] or whole_known or proper or not any(known[:-1])
+        return (
+            known[-1]
+            or whole_known
+            or proper
+            or not any(known[:-1])
+            or self._lexicon.verb_at(lows, len(lows) - 1, "past", "third") is None
+        )
 
     def _known_words(self, lows: list[str]) -> list[bool]:
         """Which words are known nouns, or parts of known compounds such as "assembly point"."""
@@ -272,9 +344,12 @@ class PhraseReader:
             return False
         states = small["lost"] | small["states"]
         for place, low in enumerate(lows):
-            if low in small["quantities"] or low in small["times"] or low in small["decisive"]:
+            past = lows[0] in small["relatives"] and (low in _PAST or lows[place - 1] in _PAST)
+            timed = low in small["times"] and not past
+            if low in small["quantities"] or timed or low in small["decisive"]:
                 return False
-            if low in _NOT_DESCRIBING:
+            purpose = low == "to" and lows[0] in small["relatives"] and self._lexicon.verb_at(lows, place + 1, "base")
+            if low in _NOT_DESCRIBING and not purpose:
                 return False
             if not (low[0].isalnum() or low in {",", "'"}):
                 return False
@@ -286,8 +361,14 @@ class PhraseReader:
         return (
             last not in small["describing"]
             and last not in small["relatives"]
-            and (last not in small["determiners"] or last in states)
+            and (last not in small["determiners"] or last in states or is_letter(words[-1]))
         )
+
+
+def _is_gone(words: Sequence[Word]) -> bool:
+    """Whether a description says that somebody went missing: "who ran away"."""
+    lows = tuple(word.low for word in words)
+    return any(lows[at : at + len(gone)] == gone for gone in _GONE for at in range(len(lows)))
 
 
 def kind_of_phrase(phrase: Phrase) -> str | None:
@@ -296,23 +377,80 @@ def kind_of_phrase(phrase: Phrase) -> str | None:
     numbered = (
         head if head and (last[-1].isdigit() or (last[:1].isupper() and kind_of(phrase.name) is None)) else phrase.name
     )
+    kind = kind_of(numbered)
+    if phrase.is_own_name and kind in {None, "object", "animal"} and not is_plural(phrase.name):
+        return "person"  # Rose, Leo and Bill are people
     proper = not phrase.determined and phrase.name[:1].isupper()
-    return kind_of(numbered) or ("person" if proper else None)
+    return kind or ("person" if proper else None)
+
+
+_IRREGULAR = {
+    "people": "person",
+    "men": "man",
+    "women": "woman",
+    "children": "child",
+    "mice": "mouse",
+    "geese": "goose",
+    "oxen": "ox",
+    "calves": "calf",
+    "wolves": "wolf",
+    "knives": "knife",
+    "shelves": "shelf",
+    "loaves": "loaf",
+}
+SAME = frozenset({"sheep", "deer", "fish", "cattle", "livestock", "staff", "personnel", "poultry", "ones"})
 
 
 def is_plural(name: str) -> bool:
     """Whether the noun looks like more than one."""
     last = name.lower().split()[-1]
-    return last in {"people", "men", "women", "children", "mice", "geese"} or (
-        last.endswith("s") and not last.endswith(("ss", "us", "is")) and last not in _SINGULAR
+    men = last.endswith("men") and len(last) > 5
+    return (
+        last in _IRREGULAR
+        or last in SAME
+        or men
+        or (last.endswith("s") and not last.endswith(("ss", "us", "is", "'s")) and last not in _SINGULAR)
     )
 
 
+def singular(noun: str) -> str:
+    """The noun for one of several: crates, crate; boxes, box; children, child."""
+    if noun in _IRREGULAR:
+        return _IRREGULAR[noun]
+    if noun.endswith("men") and len(noun) > 5:
+        return noun[:-3] + "man"
+    if noun.endswith("ies") and len(noun) > 4:
+        return noun[:-3] + "y"
+    if noun.endswith(("ses", "xes", "ches", "shes", "zes")) and kind_of(noun[:-1]) is None:
+        return noun[:-2]
+    return noun[:-1] if is_plural(noun) and noun.endswith("s") else noun
+
+
+def plural(noun: str) -> str:
+    """The noun for several of one: crate, crates; box, boxes; child, children."""
+    back = {one: many for many, one in _IRREGULAR.items()}
+    if noun in back or is_plural(noun):
+        return back.get(noun, noun)
+    if noun.endswith("man") and len(noun) > 5:
+        return noun[:-3] + "men"
+    if noun.endswith("y") and noun[-2:-1] not in "aeiou":
+        return noun[:-1] + "ies"
+    return noun + ("es" if noun.endswith(("s", "x", "ch", "sh", "z")) else "s")
+
+
+def is_letter(word: Word) -> bool:
+    """Whether a word is a capital letter that tells things of one kind apart: "Block A"."""
+    return len(word.text) == 1 and word.text.isupper()
+
+
 def _parts(words: Sequence[Word]) -> Iterator[tuple[Word, ...]]:
-    """Split at commas and *and*; commas between adjectives stay."""
+    """Split at commas and *and*, save that of "between the hall and the yard"."""
     part: list[Word] = []
     for word in words:
-        if word.low in {"and", ",", "&"}:
+        lows = [held.low for held in part]
+        if word.low == "and" and "between" in lows and "and" not in lows:
+            part.append(word)
+        elif word.low in {"and", ",", "&"}:
             if part:
                 yield tuple(part)
             part = []

@@ -7,15 +7,23 @@ from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
 
 _AT = frozenset({"in", "at", "inside", "from", "on"})
+_BEING = frozenset({"is", "are", "stands", "stand", "lies", "lie", "sits", "sit", "waits", "wait", "lives", "works"})
+_STAYING = frozenset(
+    {"standing", "waiting", "sitting", "lying", "parked", "kept", "stored", "staying", "working", "located"}
+)
 _NUMBERS = frozenset(
     {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"}
 )
+_TITLES = {"prof": "professor", "dr": "doctor"}
 _DETERMINERS = frozenset({"the", "a", "an", "my", "your", "his", "her", "its", "our", "their"})
 
 
 def place_said(description: str, scene: Scene) -> Entity | None:
     """The one place or thing of the scene that a description such as "in the kitchen" names; None if it names none."""
     words = plain(description).split()
+    if words[:1] and words[0] in {"who", "that", "which"}:
+        words = words[1 + (words[1:2] != [] and words[1] in _BEING) :]
+        words = words[words[:1] != [] and words[0] in _STAYING :]
     if len(words) < 2 or words[0] not in _AT:
         return None
     name = " ".join(words[1 + (words[1] in _DETERMINERS) :])
@@ -55,7 +63,8 @@ def _line(entity: Entity, scene: Scene) -> list[str]:
 
 def plain(text: str) -> str:
     """The text as names are compared: small letters, words separated by single spaces."""
-    return " ".join(text.casefold().replace("_", " ").replace("-", " ").split())
+    words = text.casefold().replace("_", " ").replace("-", " ").replace(".", " ").split()
+    return " ".join(_TITLES.get(word, word) if place + 1 < len(words) else word for place, word in enumerate(words))
 
 
 def is_designation(word: str) -> bool:

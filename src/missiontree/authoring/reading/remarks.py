@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from missiontree.authoring.language.lexicon import Lexicon
-from missiontree.authoring.methods.outline import Outline
+from missiontree.authoring.methods.mention import Mention
+from missiontree.authoring.methods.method import Method
+from missiontree.authoring.methods.outline import Outline, fill
 from missiontree.authoring.reading.candidates import Candidate
 from missiontree.authoring.reading.clauses import Clause
-from missiontree.authoring.reading.entities import Mention
 from missiontree.authoring.reading.phrases import Phrase
 from missiontree.authoring.reading.places import place_said, stands_at
 from missiontree.mission.reason import Reason
@@ -25,8 +26,16 @@ def reading_line(candidate: Candidate, clause: Clause, read: Read, said: Said) -
         for slot, phrases in read.items()
     )
     by = f"; only by {', '.join(clause.robots)}" if clause.robots else ""
+    by += f"; not by {', '.join(clause.without)}" if clause.without else ""
     over = f"; passed over: {', '.join(clause.passed_over)}" if clause.passed_over else ""
     return f"{clause.text!r}: {candidate.source}, {candidate.shown}; {slots}{by}{over}"
+
+
+def assumed(method: Method | None, said: Said) -> Iterator[Reason]:
+    """What a method takes for granted, in its own words."""
+    if method is not None and method.assumes:
+        about = next((mention.label for group in said.values() for mention in group), "")
+        yield Reason(rule="method_assumes", message=fill(method.assumes, said), severity="assumption", node=about)
 
 
 def unused_words(outline: Outline, read: Read, said: Said, lexicon: Lexicon, scene: Scene) -> Iterator[Reason]:

@@ -5,22 +5,40 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from missiontree.authoring.language.lexicon import Lexicon, PhraseTable
+from missiontree.authoring.language.lexicon import Lexicon, PhraseTable, phrase_table
 from missiontree.authoring.reading.clauses import MARK, Clause, Word, words_of_text
 from missiontree.mission.fleet import Fleet
 
-_WITH = PhraseTable({tuple(text.split()): text for text in ("with", "using", "by", "by means of", "with the help of")})
-_ORDER = frozenset({"use", "have", "let", "send", "ask", "tell", "order", "get", "instruct", "command"})
-_MUST = PhraseTable(
-    {
-        tuple(text.split()): text
-        for text in ("should", "must", "shall", "will", "has to", "have to", "needs to", "is to", "ought to")
-    }
+_WITH = phrase_table("robots", "with")
+_ORDER = frozenset(
+    {"use", "have", "let", "send", "ask", "tell", "order", "get", "instruct", "command", "make", "dispatch", "deploy"}
 )
+_MUST = phrase_table("robots", "must")
 _BEGINS = frozenset(
-    {",", ".", "!", "?", ";", ":", "and", "then", "while", "whilst", "until", "before", "after", "finally", "first"}
+    {
+        ",",
+        ".",
+        "!",
+        "?",
+        ";",
+        ":",
+        "-",
+        "and",
+        "then",
+        "while",
+        "whilst",
+        "until",
+        "before",
+        "after",
+        "finally",
+        "first",
+        "or",
+        "but",
+    }
+    | {"please", "next", "only", "either", "meanwhile", "afterwards"}
 )
-_DETERMINERS = frozenset({"the", "a", "an", "our", "my", "your"})
+_SINGLE = frozenset({"a", "an", "one"})
+_DETERMINERS = frozenset({"the", "our", "my", "your", "any", "either", "both", *_SINGLE})
 _GOES_ON = frozenset({"and", "then", "shares"})
 
 
@@ -39,7 +57,7 @@ def robots_marked(words: tuple[Word, ...], fleet: Fleet, lexicon: Lexicon, known
     known
         Names of the scene, which are never taken for a robot.
     """
-    names = _names(fleet, known)
+    names = robot_names(fleet, known)
     return _Marker(words, names, lexicon).marked() if names else words
 
 
@@ -49,29 +67,68 @@ def named_robots(fleet: Fleet, known: frozenset[str]) -> PhraseTable:
         name: name for name in fleet.robots
     }
     forms = {form: shown for name, shown in singular.items() for form in _spellings(name)}
-    plural = {(*form[:-1], form[-1] + "s"): shown for form, shown in forms.items()}
-    return PhraseTable({form: shown for form, shown in (plural | forms).items() if " ".join(form) not in known})
+    return PhraseTable({form: shown for form, shown in _with_plurals(forms).items() if " ".join(form) not in known})
+
+
+def robot_names(fleet: Fleet, known: frozenset[str]) -> PhraseTable | None:
+    """Every name that stands for a robot type, plurals too, to the type's id; None if there is none."""
+    table: dict[tuple[str, ...], str] = {}
+    for kind in fleet.types:
+        own = [robot.id for robot in kind.members] if len(kind.members) == 1 else []
+        for name in (kind.id, kind.label, *own):
+            table |= dict.fromkeys(_spellings(name), kind.id)
+    table = {form: kind for form, kind in _with_plurals(table).items() if " ".join(form) not in known}
+    return PhraseTable(table) if table else None
 
 
 def robots_carried(clauses: Sequence[Clause]) -> tuple[Clause, ...]:
     """The clauses; who is told to do one thing "and" another does both, unless another robot is named."""
     kept: list[Clause] = []
-    leading: tuple[str, ...] = ()
+    leading: tuple[tuple[str, ...], ...] = ()
     for index, clause in enumerate(clauses):
-        if index == 0 or clause.sentence != clauses[index - 1].sentence or clause.leads:
-            leading = clause.robots if clause.leads else ()
-        goes_on = clause.relation in _GOES_ON and not clause.robots
-        kept.append(replace(clause, robots=leading) if goes_on else clause)
+        new = clause.relation not in _GOES_ON or index == 0 or clause.sentence != clauses[index - 1].sentence
+        if new or clause.leads:
+            leading = clause.asked if clause.leads else ()
+        goes_on = clause.relation in _GOES_ON and not clause.asked
+        kept.append(replace(clause, asked=leading) if goes_on else clause)
     return tuple(kept)
 
 
-def _names(fleet: Fleet, known: frozenset[str]) -> PhraseTable | None:
-    table: dict[tuple[str, ...], str] = {}
-    for kind in fleet.types:
-        own = [robot.id for robot in kind.members] if len(kind.members) == 1 else []
-        for name in (kind.id, kind.label, *own):
-            table |= {form: kind.id for form in _spellings(name) if " ".join(form) not in known}
-    return PhraseTable(table) if table else None
+@dataclass(frozen=True, slots=True)
+class Named:
+    """Robot types named in a row, how many words that takes, and whether *and* joins them."""
+
+    types: tuple[str, ...]
+    length: int
+    together: bool = False
+
+
+def named_at(names: PhraseTable, lows: Sequence[str], start: int, joins: frozenset[str]) -> Named | None:
+    """The robot types that are named from a place on, joined by the words given; None if there are none."""
+    types: list[str] = []
+    place, end, together = start, start, False
+    while True:
+        article = place < len(lows) and lows[place] in _DETERMINERS
+        hit = names.at(lows, place + article)
+        if hit is None:
+            break
+        types.append(hit[0])
+        end = place + article + hit[1]
+        together |= len(types) > 1 and "and" in lows[place - 2 : place]
+        place = end
+        while place < len(lows) and lows[place] in joins:
+            place += 1
+        if place == end:
+            break
+    return Named(tuple(dict.fromkeys(types)), end - start, together) if types else None
+
+
+OR = frozenset({"or", ","})
+"""What joins robots of which any may do it."""
+
+
+def _with_plurals(forms: dict[tuple[str, ...], str]) -> dict[tuple[str, ...], str]:
+    return {(*form[:-1], form[-1] + "s"): shown for form, shown in forms.items()} | forms
 
 
 def _spellings(name: str) -> set[tuple[str, ...]]:
@@ -102,7 +159,7 @@ class _Marker:
 
     def _at(self, place: int) -> tuple[int, tuple[Word, ...]]:
         """How many words a naming takes here, and what stands for them; nothing if there is none."""
-        begins = place == 0 or self.lows[place - 1] in _BEGINS
+        begins = place == 0 or self.lows[place - 1] in _BEGINS or self.lows[place - 1].startswith(MARK)
         for found in (
             self._instrument(place),
             self._order(place) if begins else None,
@@ -112,45 +169,87 @@ class _Marker:
                 return found
         return 0, ()
 
-    def _robot(self, place: int) -> tuple[str, int] | None:
-        """The robot type that is named here, and how many words that takes with its article."""
-        article = place < len(self.lows) and self.lows[place] in _DETERMINERS
-        hit = self.names.at(self.lows, place + article)
-        return (hit[0], hit[1] + article) if hit is not None else None
+    def _robots(self, place: int) -> Named | None:
+        """The robot types that are named here; None too if they are to do it together, which no tree can ask for."""
+        named = named_at(self.names, self.lows, place, OR)
+        return named if named is None or len(named.types) > 0 else None
+
+    def _only(self, place: int) -> int:
+        return int(self.lows[place : place + 1] in (["only"], ["just"], ["exclusively"]))
 
     def _instrument(self, place: int) -> tuple[int, tuple[Word, ...]] | None:
-        hit = _WITH.at(self.lows, place)
-        robot = self._robot(place + hit[1]) if hit is not None else None
-        if hit is None or robot is None:
+        """Words such as "with the drone", "either with the drone or with the crawler", "using only drones"."""
+        start = place + self._only(place)
+        start += self.lows[start : start + 1] == ["either"]
+        hit = _WITH.at(self.lows, start)
+        if hit is None:
             return None
-        end = place + hit[1] + robot[1]
-        return hit[1] + robot[1], (self._mark(place, end, robot[0]),)
+        behind = start + hit[1] + self._only(start + hit[1])
+        named = self._robots(behind)
+        if named is None:
+            return None
+        types, end = named.types, behind + named.length
+        while self.lows[end : end + 1] == ["or"] and (more := _WITH.at(self.lows, end + 1)) is not None:
+            if (also := self._robots(end + 1 + more[1])) is None:
+                break
+            types, end = (*types, *also.types), end + 1 + more[1] + also.length
+        end += self._only(end)
+        return end - place, (self._mark(place, end, types),)
 
     def _order(self, place: int) -> tuple[int, tuple[Word, ...]] | None:
-        robot = self._robot(place + 1) if self.lows[place] in _ORDER else None
-        if robot is None:
+        """Words such as "use the drone to ...", "send a drone to ...", "have the drone ..."."""
+        start = place + self._only(place)
+        if self.lows[start : start + 1] == [] or self.lows[start] not in _ORDER:
             return None
-        end = place + 1 + robot[1]
-        to = self.lows[end : end + 1] == ["to"]
-        if self._verb(end + to):
-            return end + to - place, (self._mark(place, end, robot[0]),)
-        if self.lows[place] == "send" and to:
-            return end - place, (self._mark(place, end, robot[0]), Word("go", "go"))
+        behind = start + 1 + self._only(start + 1)
+        named = self._robots(behind)
+        if named is None:
+            return self._any(start, behind)
+        end = behind + named.length
+        to = self.lows[end : end + 1] in (["to"], ["for"])
+        if self.lows[end : end + 1] == ["for"] and self.lexicon.verb_at(self.lows, end + 1, "gerund") is not None:
+            return end + 1 - place, (self._mark(place, end, named.types),)
+        if self._verb(end + to) and self.lows[end : end + 1] != ["for"]:
+            return end + to - place, (self._mark(place, end, named.types),)
+        if self.lows[start] in {"send", "dispatch", "deploy"} and self.lows[end : end + 1] == ["to"]:
+            return end - place, (self._mark(place, end, named.types), Word("go", "go"))
+        if self.lows[start] in {"send", "dispatch"} and self.lows[end : end + 1] == ["after"]:
+            return end + 1 - place, (self._mark(place, end, named.types), Word("follow", "follow"))
         return None
 
-    def _subject(self, place: int) -> tuple[int, tuple[Word, ...]] | None:
-        robot = self._robot(place)
-        if robot is None:
+    def _any(self, start: int, place: int) -> tuple[int, tuple[Word, ...]] | None:
+        """Words such as "send a robot to the gate", which name no type: somebody goes there."""
+        end = place + (self.lows[place : place + 1] != [] and self.lows[place] in _DETERMINERS | {"some"})
+        generic = self.lows[end : end + 1] in (["robot"], ["robots"]) and self.lows[start] in {"send", "dispatch"}
+        if not generic or self.lows[end + 1 : end + 2] != ["to"] or self._verb(end + 2):
             return None
-        end = place + robot[1]
+        return end + 1 - start, (Word("go", "go"),)
+
+    def _subject(self, place: int) -> tuple[int, tuple[Word, ...]] | None:
+        """Words such as "the drone should ...", "only a drone may ...", "drone: ..."."""
+        start = place + self._only(place)
+        named = self._robots(start)
+        if named is None:
+            return None
+        end = start + named.length
         must = _MUST.at(self.lows, end)
-        if must is not None and self._verb(end + must[1]):
-            return end + must[1] - place, (self._mark(place, end, robot[0]),)
+        only_may = start > place or must is None or must[0] not in {"may", "can"}
+        if must is not None and only_may and self._verb(end + must[1]):
+            return end + must[1] - place, (self._mark(place, end, named.types),)
         if self.lows[end : end + 1] in ([","], [":"]) and self._verb(end + 1):
-            return end + 1 - place, (self._mark(place, end, robot[0]),)
-        going_on = self.lows[end : end + 1] == ["is"] and place > 0 and self.lows[place - 1] in {"while", "whilst"}
+            return end + 1 - place, (self._mark(place, end, named.types),)
+        sent = {"send", "dispatch", "deploy"} & set(self.lows[max(0, place - 12) : place])
+        if sent and self.lows[end : end + 1] == ["to"] and self.lows[place - 1] == "and" and not self._verb(end + 1):
+            return end - place, (self._mark(place, end, named.types), Word("go", "go"))
+        going_on = (
+            self.lows[end : end + 1] in (["is"], ["are"]) and place > 0 and self.lows[place - 1] in {"while", "whilst"}
+        )
         if going_on and self.lexicon.verb_at(self.lows, end + 1, "gerund") is not None:
-            return end + 1 - place, (self._mark(place, end, robot[0]),)
+            return end + 1 - place, (self._mark(place, end, named.types),)
+        finite = self.lexicon.verb_at(self.lows, end, "third")
+        if finite is not None:
+            base = tuple(Word(part, part) for part in finite.phrase.split())
+            return end + finite.length - place, (self._mark(place, end, named.types), *base)
         return None
 
     def _verb(self, place: int) -> bool:
@@ -158,5 +257,5 @@ class _Marker:
             place += hit[1]
         return self.lexicon.verb_at(self.lows, place, "base") is not None
 
-    def _mark(self, start: int, end: int, kind: str) -> Word:
-        return Word(" ".join(word.text for word in self.words[start:end]), MARK + kind)
+    def _mark(self, start: int, end: int, types: Sequence[str]) -> Word:
+        return Word(" ".join(word.text for word in self.words[start:end]), MARK + "|".join(types))

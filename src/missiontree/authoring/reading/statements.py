@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from missiontree.authoring.language.lexicon import Lexicon
-from missiontree.authoring.reading.clauses import Clause
+from missiontree.authoring.language.lexicon import Lexicon, phrases_of
+from missiontree.authoring.reading.clauses import Clause, Word
 from missiontree.authoring.reading.phrases import Phrase, PhraseReader
 
 _IS = frozenset({"is", "are", "has", "have"})
+MOST_BEFORE = 5
+"""In "Mrs Brown has lost her keys" the verb begins within so many words."""
 _BEEN = frozenset({"been", "gone", "got"})
 
 
@@ -25,9 +28,120 @@ class Statement:
         return all(phrase.lost for phrase in self.phrases)
 
 
+_LOSES = phrases_of("statements", "loses")
+_GONE = phrases_of("statements", "gone")
+_STANDS = frozenset(word for (word,) in phrases_of("statements", "stands"))
+_ADVERBS = frozenset(word for (word,) in phrases_of("statements", "adverbs"))
+_AT = frozenset(word for (word,) in phrases_of("statements", "at"))
+_THERE = phrases_of("statements", "there")
+_CAUSE = phrases_of("statements", "cause")
+_ENDS = phrases_of("statements", "ends")
+
+
+def cause_of(words: Sequence[Word]) -> tuple[tuple[Word, ...], tuple[Word, ...]]:
+    """The words without a closing "because of the fire", and the words of the cause; none if there is none."""
+    lows = [word.low for word in words]
+    for phrase in _CAUSE:
+        for place in range(len(lows) - len(phrase)):
+            if tuple(lows[place : place + len(phrase)]) == phrase:
+                return tuple(words[:place]), tuple(words[place + len(phrase) :])
+    return tuple(words), ()
+
+
+def _recast(words: tuple[Word, ...]) -> tuple[Word, ...]:
+    """Statements that a thing is lost, in the plain form "... is lost"."""
+    lows = [word.low for word in words]
+    lost = (Word("is", "is"), Word("lost", "lost"))
+    for phrase in _GONE:
+        for place in range(1, len(lows)):
+            if tuple(lows[place : place + len(phrase)]) == phrase:
+                return (*words[:place], *lost, *words[place + len(phrase) :])
+    for phrase in _LOSES:
+        for place in range(1, MOST_BEFORE):
+            said = tuple(lows[place : place + len(phrase)]) == phrase and lows[place - 1] not in _IS | _BEEN
+            if said and place + len(phrase) < len(lows):
+                return (*words[place + len(phrase) :], *lost)
+    return words
+
+
+def danger_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> tuple[str, ...]:
+    """Hazards that a clause without a verb names: "gas leak", "there is a fire in the kitchen", "because of the flood"."""
+    lows = [word.low for word in clause.words]
+    start = next((len(phrase) for phrase in (*_THERE, *_CAUSE) if tuple(lows[: len(phrase)]) == phrase), 0)
+    words = clause.words[start:]
+    if clause.verb is not None or clause.relation != "start":
+        return ()
+    behind = [word.low for word in words if word.low not in lexicon.words["determiners"]]
+    hit = lexicon.hazard_words.at(behind, 0)
+    if hit is None:
+        return ()
+    goes_on = behind[hit[1] : hit[1] + 1]
+    told = not goes_on or goes_on[0] in _IS | _AT | {
+        "was",
+        "were",
+        "broke",
+        "breaks",
+        "spreads",
+        "leaks",
+        "alarm",
+        "alert",
+    }
+    return (hit[0],) if told or phrases.phrases(words) is not None else ()
+
+
+def site_of(clause: Clause, phrases: PhraseReader) -> Phrase | None:
+    """Where a danger is said to be: the kitchen in "there is a fire in the kitchen"; None if that is not said."""
+    for place, word in enumerate(clause.words[:-1]):
+        if place and word.low in _AT and (read := phrases.phrases(clause.words[place + 1 :])) is not None:
+            return read[0] if len(read) == 1 and not read[0].pronoun else None
+    return None
+
+
+def event_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Phrase | None:
+    """Who has come to the end of a way, if a clause behind "until", "once", "before" or "while" says no more than that."""
+    if clause.relation not in {"before", "after", "until", "while"}:
+        return None
+    lows = [word.low for word in clause.words]
+    for end in _ENDS:
+        if tuple(lows[-len(end) :]) == end and (read := phrases.phrases(clause.words[: -len(end)])) is not None:
+            return read[0] if len(read) == 1 else None
+    moved = clause.verb is not None and {"bring", "transport", "guide", "put"} & set(
+        lexicon.goals_of.get(clause.verb.phrase, ())
+    )
+    if not moved or clause.verb is None:
+        return None
+    read = phrases.phrases(clause.words[clause.verb.length :])
+    return read[0] if read is not None and len(read) == 1 else None
+
+
+def place_of(clause: Clause, phrases: PhraseReader) -> tuple[tuple[Phrase, ...], str] | None:
+    """Who is said to be where: "Anna is waiting in the lobby"; None if the clause says something else."""
+    words = tuple(word for word in clause.words if word.low not in _ADVERBS)
+    lows = [word.low for word in words]
+    for phrase in _THERE:
+        for at in range(len(lows) - len(phrase)):
+            if tuple(lows[at : at + len(phrase)]) == phrase and clause.verb is None and clause.relation == "start":
+                where = words[:at] if at and lows[0] != "somewhere" else words[1:at]
+                read = phrases.phrases((*words[at + len(phrase) :], *where))
+                return (read, "there") if read is not None and not any(one.pronoun for one in read) else None
+    place = next(
+        (index for index, low in enumerate(lows) if low in {"is", "are", "stands", "waits", "lies", "sits"}), 0
+    )
+    if clause.verb is not None or clause.relation != "start" or not 0 < place < len(lows) - 2:
+        return None
+    behind = place + 1 + (lows[place + 1] in _STANDS and lows[place] in _IS)
+    if lows[behind] not in _AT or phrases.phrases(words[:place]) is None:
+        return None
+    read = phrases.phrases((*words[:place], *words[behind:]))
+    if read is None or any(phrase.pronoun for phrase in read) or not read[-1].description:
+        return None
+    return read, " ".join(word.text for word in words[behind:])
+
+
 def statement_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Statement | None:
     """What a clause states; None if it is no statement, or one that says something else."""
-    words, lows = clause.words, [word.low for word in clause.words]
+    words = _recast(clause.words)
+    lows = [word.low for word in words]
     if clause.verb is not None or clause.relation != "start":
         return None
     place = next((index for index, low in enumerate(lows) if low in _IS), 0)

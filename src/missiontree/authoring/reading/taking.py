@@ -8,7 +8,7 @@ from missiontree.authoring.language.lexicon import Lexicon
 from missiontree.authoring.reading.clauses import Clause
 
 _JOINED = frozenset({"and", "then"})
-_GOING_ON = frozenset({"bring", "transport"})
+_GOING_ON = frozenset({"bring", "transport", "guide", "evacuate"})
 
 
 def errands_joined(clauses: tuple[Clause, ...], lexicon: Lexicon) -> tuple[Clause, ...]:
@@ -19,7 +19,7 @@ def errands_joined(clauses: tuple[Clause, ...], lexicon: Lexicon) -> tuple[Claus
     while place < len(clauses):
         clause, width = clauses[place], 1
         if place + 1 < len(clauses) and _is_errand(clause, clauses[place + 1], lexicon):
-            clause, width = _joined(clause, clauses[place + 1]), 2
+            clause, width = _joined(clause, clauses[place + 1], lexicon), 2
         place_of.update(dict.fromkeys(range(place, place + width), len(kept)))
         kept.append(clause)
         place += width
@@ -38,20 +38,30 @@ def _is_errand(taking: Clause, bringing: Clause, lexicon: Lexicon) -> bool:
         or bringing.decisive
     ):
         return False
+    rescued = {"rescue", "evacuate"} & set(lexicon.goals_of[taking.verb.phrase])
     goes_on = _GOING_ON & set(lexicon.goals_of[bringing.verb.phrase])
     taken = [word.low for word in taking.words[taking.verb.length :]]
     behind = [word.low for word in bringing.words[bringing.verb.length :]]
-    if taking.verb.phrase not in lexicon.words["taking"] or not goes_on or not taken or len(behind) < 2:
+    errand = taking.verb.phrase in lexicon.words["taking"] or (rescued and behind[1:2] == ["to"])
+    if not errand or not goes_on or not taken or len(behind) < 2:
         return False
-    return behind[0] in {"it", "them"} and not {"to", "into", "onto"} & set(taken)
+    return behind[0] in {"it", "them", *(("him", "her") if rescued else ())} and not {"to", "into", "onto"} & set(taken)
 
 
-def _joined(taking: Clause, bringing: Clause) -> Clause:
+def _joined(taking: Clause, bringing: Clause, lexicon: Lexicon) -> Clause:
     assert taking.verb is not None
     assert bringing.verb is not None
-    verb = bringing.words[: bringing.verb.length]
+    own = taking.verb.phrase not in lexicon.words["taking"]  # to rescue is more than to pick up
+    verb = taking.words[: taking.verb.length] if own else bringing.words[: bringing.verb.length]
     words = (*verb, *taking.words[taking.verb.length :], *bringing.words[bringing.verb.length + 1 :])
     passed = (*taking.passed_over, *bringing.passed_over)
-    robots = tuple(dict.fromkeys((*taking.robots, *bringing.robots)))
-    joined = replace(bringing, words=words, passed_over=passed, robots=robots, leads=taking.leads)
+    asked = tuple(dict.fromkeys((*taking.asked, *bringing.asked)))
+    joined = replace(
+        bringing,
+        words=words,
+        verb=taking.verb if own else bringing.verb,
+        passed_over=passed,
+        asked=asked,
+        leads=taking.leads,
+    )
     return replace(joined, relation=taking.relation, anchor=taking.anchor, sentence=taking.sentence)

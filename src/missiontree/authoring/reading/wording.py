@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from missiontree.authoring.language.lexicon import Lexicon
+from missiontree.authoring.language.lexicon import Lexicon, Verb
 from missiontree.authoring.reading.clauses import Clause, Word
 from missiontree.authoring.reading.phrases import PhraseReader
 
 TO = "to|into|onto|toward|towards"
 ANY = f"{TO}|at|in|on|from|with|for|inside|near|against|under|over|around|between|about|by"
-_PREPOSITIONS = frozenset(ANY.split("|"))
+PREPOSITIONS = frozenset(ANY.split("|"))
 _DETERMINERS = frozenset(
     {"the", "a", "an", "her", "his", "my", "our", "their", "its", "your", "this", "that", "these", "those"}
 )
@@ -36,39 +36,104 @@ def _with_verb(clause: Clause, before: Clause, lexicon: Lexicon) -> Clause:
     ):
         return clause
     phrase = before.verb.phrase.split()
+    if clause.words[0].low == "back":
+        return _back(clause, before, lexicon)
     behind = clause.words[1:] if phrase[-1] == clause.words[0].low else clause.words
     words = (*(Word(part, part) for part in phrase), *behind)
     verb = lexicon.verb_at([word.low for word in words], 0, "base")
     return replace(clause, words=words, verb=verb) if verb == replace(before.verb, length=len(phrase)) else clause
 
 
-def with_object(clause: Clause, following: Clause | None) -> Clause:
-    """The clause, with the object of the one behind it if it shares that."""
+def _back(clause: Clause, before: Clause, lexicon: Lexicon) -> Clause:
+    """The words "then back" with the verb and the object of the clause before: "take the pump to the field, then back"."""
+    assert before.verb is not None
+    rest = before.words[before.verb.length :]
+    end = next((at for at, word in enumerate(rest) if word.low in {*TO.split("|"), "from"}), len(rest))
+    goals = set(lexicon.goals_of.get(before.verb.phrase, ()))
+    verb = (Word("go", "go"),) if "reach" in goals else tuple(Word(part, part) for part in before.verb.phrase.split())
+    words = (*verb, *(() if "reach" in goals else rest[:end]), *clause.words)
+    read = lexicon.verb_at([word.low for word in words], 0, "base")
+    return clause if read is None else replace(clause, words=words, verb=read)
+
+
+def with_object(clause: Clause, following: Clause | None) -> tuple[Word, ...]:
+    """The words of a clause, the verb in its base form, with the object of the one behind it if it shares that."""
     assert clause.verb is not None
     base = tuple(Word(part, part) for part in clause.verb.phrase.split())
+    if clause.verb.form == "base":
+        base = clause.words[: clause.verb.length]
     rest = clause.words[clause.verb.length :]
     if clause.relation == "shares" and following is not None and following.verb is not None and not rest:
         behind = following.words[following.verb.length :]
         end = next((place for place, word in enumerate(behind) if place and word.low in TO.split("|")), len(behind))
         rest = behind[:end]
-    return replace(clause, words=(*base, *rest))
+    return (*base, *rest)
 
 
-def plain_order(clause: Clause) -> tuple[Word, ...]:
-    """The words with "back to" as "to", and "home" and "there" behind a "to"."""
+MOVING = frozenset({"bring", "transport", "guide", "put"})
+"""Goals that move somebody or something."""
+GOING = MOVING | {"reach", "rescue", "evacuate", "help"}
+"""Goals that lead somewhere."""
+
+
+def plain_order(clause: Clause, *, moves: bool = True) -> tuple[Word, ...]:
+    """The words with "back to" as "to", and "home" and "there" behind a "to"; "there" falls away if nothing moves."""
     words: list[Word] = []
     assert clause.verb is not None
+    length = len(clause.verb.phrase.split())
     for place, word in enumerate(clause.words):
         following = clause.words[place + 1].low if place + 1 < len(clause.words) else ""
-        if place >= clause.verb.length and word.low in _PARTICLES and following in {*_PREPOSITIONS, "home", "there"}:
+        if place >= length and word.low in _PARTICLES and following in {*PREPOSITIONS, "home", "there"}:
             continue
         before = words[-1].low if words else ""
-        if word.low in {"home", "there"} and not following and place > clause.verb.length:
-            object_her = before == "her" and place == clause.verb.length + 1
-            if object_her or not (before in _PREPOSITIONS | _DETERMINERS or before.endswith("'s")):
+        if word.low in {"there", "here"} and not following and place > length and not moves:
+            continue
+        if word.low in {"home", "there"} and not following and place > length:
+            object_her = before == "her" and place == length + 1
+            if object_her or not (before in PREPOSITIONS | _DETERMINERS or before.endswith("'s")):
                 words.append(Word("to", "to"))
         words.append(word)
     return tuple(words)
+
+
+_GOING = frozenset({"going", "driving", "walking", "flying"})
+_BACK = frozenset({"it", "him", "her", "them", "there"})
+
+
+def without_message(words: tuple[Word, ...], lexicon: Lexicon) -> tuple[Word, ...]:
+    """The words without what somebody is warned of: "that the gate closes", "to leave the hall"."""
+    lows = [word.low for word in words]
+    for place in range(2, len(lows)):
+        if lows[place] == "that" or (lows[place] == "to" and lexicon.verb_at(lows, place + 1, "base") is not None):
+            return words[:place]
+    return words
+
+
+def by_doing(clause: Clause, lexicon: Lexicon) -> Clause | None:
+    """
+    The clause with the verb of how it is done: "get Anna to the lobby by guiding her" as "guide Anna to the lobby".
+
+    None if it does not say how, or in another way than by moving somebody, or by going there for having a look.
+    """
+    words = clause.words
+    assert clause.verb is not None
+    length = len(clause.verb.phrase.split())
+    place = next((at for at in range(len(words) - 1, length, -1) if words[at].low == "by"), 0)
+    lows = [word.low for word in words]
+    doing = lexicon.verb_at(lows, place + 1, "gerund") if place else None
+    if doing is None and place and lows[place + 1 : place + 2] in (["going"], ["driving"], ["walking"], ["flying"]):
+        doing = Verb(lows[place + 1], "gerund", 1)
+    if doing is None or not {word.low for word in words[place + 1 + doing.length :]} <= _BACK | {"to"}:
+        return None
+    goals, how = set(lexicon.goals_of.get(clause.verb.phrase, ())), set(lexicon.goals_of.get(doing.phrase, ()))
+    moved = goals & {"bring", "transport", "guide"} and how & {"bring", "transport", "guide"}
+    looked = "look at" in goals and ("reach" in how or doing.phrase in _GOING)
+    if not (moved or looked):
+        return None
+    verb = doing.phrase.split() if moved else clause.verb.phrase.split()
+    rest = words[length:place]
+    changed = (*(Word(part, part) for part in verb), *rest)
+    return replace(clause, words=changed, verb=lexicon.verb_at([word.low for word in changed], 0, "base"))
 
 
 def receiver_behind(words: tuple[Word, ...], start: int, phrases: PhraseReader) -> tuple[Word, ...]:

@@ -1,0 +1,72 @@
+"""Readings that fit the words and that nobody can have meant: each raises :class:`UnclearError` with a sentence that asks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from missiontree.authoring.language.lexicon import Lexicon
+from missiontree.authoring.methods.mention import UnclearError
+from missiontree.authoring.methods.outline import Outline
+from missiontree.authoring.reading.advice import RobotAdvice
+from missiontree.authoring.reading.phrases import Phrase, PhraseReader
+from missiontree.authoring.reading.places import stands_at
+from missiontree.authoring.reading.remarks import Read, Said
+from missiontree.mission.scene import Scene
+
+
+@dataclass(frozen=True)
+class Refusals:
+    """What is held against a reading, in a world, by who knows robots, nouns and small words."""
+
+    world: Scene
+    lexicon: Lexicon
+    phrases: PhraseReader
+    advice: RobotAdvice
+
+    def robots(self, phrases: Iterable[Phrase]) -> None:
+        """Who shall do it is no description of whom it is done to."""
+        for phrase in phrases:
+            if phrase.name.lower().split()[-1] in {"robot", "robots"} and phrase.name.lower() not in self.phrases.known:
+                raise UnclearError(f"{phrase.text!r} does things; it is not clear what is to be done with it")
+            named = self.advice.named_in(phrase.text)
+            if named and phrase.name.lower() not in self.phrases.known:
+                raise UnclearError(self.advice.on(named[0]))
+
+    def instruments(self, phrases: Iterable[Phrase]) -> None:
+        """What it shall be done with is no description either, if it is no robot of the fleet."""
+        for phrase in phrases:
+            lows = phrase.description.lower().split()
+            if lows[:1] == ["with"] and lows[-1] in self.lexicon.words["instruments"]:
+                named = f"names no robot of the fleet ({self.advice.types})"
+                raise UnclearError(f"{phrase.description!r} may say who does it, and {named}")
+
+    def each_its_own(self, read: Read) -> None:
+        """To bring each parcel to its owner is more than one errand, and nobody knows how many."""
+        phrases = [phrase for group in read.values() for phrase in group]
+        own = [phrase for phrase in phrases if phrase.text.lower().split()[0] in {"its", "their", "his", "her"}]
+        each = [phrase for phrase in phrases if phrase.text.lower().split()[0] in {"each", "every"}]
+        if each and own:
+            raise UnclearError(
+                f"it is not clear who {own[0].text!r} is for each one of {each[0].text!r}; name them one by one"
+            )
+
+    def two_places(self, phrases: tuple[Phrase, ...]) -> None:
+        """In "the child in the park and the forest" the forest is no second child."""
+        kinds = [self.phrases.kind_of(phrase) for phrase in phrases]
+        for place, phrase in enumerate(phrases[:-1]):
+            if phrase.description and kinds[place] != "place" and "place" in kinds[place + 1 :]:
+                raise UnclearError(f"it is not clear what goes with {phrase.description!r}")
+
+    def other_places(self, outline: Outline, said: Said) -> None:
+        """A place that only says where somebody is must be where the scene has them."""
+        world = self.world
+        used = {mention.name for piece in outline.pieces for leaf in piece.leaves for mention in leaf.mentions}
+        mentions = [mention for group in said.values() for mention in group if not mention.new]
+        for site in (mention for mention in mentions if mention.kind == "place" and mention.name not in used):
+            for mention in mentions:
+                if (
+                    mention.name in used
+                    and stands_at(world.by_id[mention.name], world.by_id[site.name], world) is False
+                ):
+                    raise UnclearError(f"the scene has {mention.label} elsewhere, not at {site.label}")

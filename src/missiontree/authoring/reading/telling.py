@@ -1,0 +1,97 @@
+"""A clause that asks for nothing: what it states for the clauses beside it, or why it is not understood."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+
+from missiontree.authoring.methods.mention import Mention, UnclearError
+from missiontree.authoring.methods.outline import Outline
+from missiontree.authoring.reading.clauses import Clause
+from missiontree.authoring.reading.hearing import Hearing
+from missiontree.authoring.reading.outcomes import Goal, Trouble, trouble
+from missiontree.authoring.reading.phrases import Phrase
+from missiontree.authoring.reading.statements import Statement, danger_of, place_of, site_of, statement_of
+from missiontree.mission.reason import Reason
+
+_ALIKE = 0.82  # "serch" is like "search"; "send" is not like "mend"
+
+
+@dataclass
+class Telling:
+    """Takes statements into the state of a hearing."""
+
+    hearing: Hearing
+    _statements: list[tuple[Clause, tuple[Mention, ...], tuple[str, ...]]] = field(default_factory=list)
+
+    def told(self, clause: Clause) -> Goal | Trouble:
+        """What a clause without a verb states; trouble if that is nothing of use."""
+        if dangers := danger_of(clause, self.hearing.phrases, self.hearing.lexicon):
+            self.hearing.hazards += dangers
+            site = site_of(clause, self.hearing.phrases)
+            if site is not None:
+                with suppress(UnclearError):
+                    self.hearing.speakers.remember((self.hearing.speakers.resolve(site),))
+            return Goal(clause, Outline(), f"{clause.text!r}: a statement; danger: {', '.join(dangers)}")
+        if (stated := statement_of(clause, self.hearing.phrases, self.hearing.lexicon)) is not None:
+            return self._stated(clause, stated)
+        if (placed := place_of(clause, self.hearing.phrases)) is not None:
+            return self._placed(clause, *placed)
+        return self._no_verb(clause)
+
+    def _placed(self, clause: Clause, phrases: tuple[Phrase, ...], where: str) -> Goal | Trouble:
+        """Where somebody is said to be; the scene has the last word, and without one the plan makes no use of it."""
+        try:
+            self.hearing.refusals.robots(phrases)
+            mentions = tuple(mention for phrase in phrases for mention in self.hearing.speakers.resolve(phrase))
+        except UnclearError as unclear:
+            return trouble("unclear", clause, str(unclear))
+        self.hearing.speakers.remember((mentions,))
+        about = ", ".join(mention.label for mention in mentions)
+        message = f"{about}: {where!r} is taken as said; the plan makes no use of it."
+        unused = (
+            []
+            if self.hearing.brief.scene is not None
+            else [Reason(rule="description_unused", message=message, severity="assumption", node=about)]
+        )
+        return Goal(clause, Outline(), f"{clause.text!r}: a statement; {about}: {where}", tuple(unused))
+
+    def _stated(self, clause: Clause, stated: Statement) -> Goal | Trouble:
+        try:
+            self.hearing.refusals.robots(stated.phrases)
+            groups = tuple(self.hearing.speakers.resolve(phrase) for phrase in stated.phrases)
+        except UnclearError as unclear:
+            return trouble("unclear", clause, str(unclear))
+        mentions = tuple(mention for group in groups for mention in group)
+        self.hearing.speakers.remember((mentions,))
+        self.hearing.speakers.lost |= {mention.name for mention in mentions if stated.lost}
+        self.hearing.hazards += stated.hazards
+        self._statements.append((clause, mentions, stated.hazards))
+        states = ["lost"] if stated.lost else []
+        about = ", ".join(mention.label for mention in mentions)
+        return Goal(
+            clause, Outline(), f"{clause.text!r}: a statement; {about}: {', '.join([*states, *stated.hazards])}"
+        )
+
+    def _no_verb(self, clause: Clause) -> Trouble:
+        detail, hint = self.hearing.advice.on_order(clause)
+        if detail:
+            return trouble("robot_unclear", clause, detail, hint)
+        first = clause.words[0].low
+        verbs = [phrase for phrase in self.hearing.lexicon.goals_of if " " not in phrase]
+        near = difflib.get_close_matches(first[:40], verbs, n=2, cutoff=_ALIKE)
+        hint = f"Did you mean {' or '.join(map(repr, near))}? " if near else ""
+        begin = f"{hint}Begin with what is to be done: 'Find ...', 'Bring ... to ...'."
+        return trouble("verb_unknown", clause, "it does not begin with a verb that is known", begin)
+
+    def unused_statements(self, goals: Sequence[Goal]) -> Iterator[Reason]:
+        """Assumptions about what was stated and changes nothing."""
+        spoken = {
+            m.name for goal in goals for piece in goal.outline.pieces for leaf in piece.leaves for m in leaf.mentions
+        }
+        for clause, mentions, hazards in self._statements:
+            if not ({mention.name for mention in mentions} & spoken or set(hazards) & self.hearing.called_for):
+                message = f"{clause.text!r} does not change what is planned."
+                yield Reason(rule="words_unused", message=message, severity="assumption", node=mentions[0].label)

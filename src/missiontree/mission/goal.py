@@ -1,0 +1,184 @@
+"""What a mission shall achieve, stated formally: routines, methods and tasks by name, with no language in between."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from missiontree.mission.frozen_map import FrozenMap
+from missiontree.mission.tree import Gate
+from missiontree.mission.value import Id, Value, require_unique
+
+_CALL = re.compile(r"\s*([A-Za-z][A-Za-z0-9_-]*)\s*\((.*)\)\s*", re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Goal(Value):
+    """
+    A goal: a routine, a mission method, or a task with goals of its own. It has one of ``do``, ``method`` and ``task``.
+
+    Parameters
+    ----------
+    do
+        A routine and whom or what it is about, in order, by id or label: ``ReachAndTransport(keys, Anna)``.
+    method
+        Id of a mission method, built in or of the user's own.
+    slots
+        What the slots of the method are filled with, by id or label: ``{victim: Anna, site: barn}``; a list fills one with several.
+    task
+        Label of a task.
+    goals
+        What the task consists of.
+    gate
+        ``and``: all goals of the task; ``xor``: exactly one of them.
+    name
+        What other goals call this one.
+    after
+        Names of the goals that end before this one starts.
+    until
+        Name of the goal whose end also ends what is open-ended in this one.
+    by
+        Robot types that may do it; default: all.
+    not_by
+        Robot types that may not.
+    """
+
+    do: str = ""
+    method: Id | None = None
+    slots: Mapping[Id, str | tuple[str, ...]] = field(default_factory=dict)
+    task: str = ""
+    goals: tuple[Goal, ...] = ()
+    gate: Gate = "and"
+    name: str = ""
+    after: tuple[str, ...] = ()
+    until: str = ""
+    by: tuple[Id, ...] = ()
+    not_by: tuple[Id, ...] = ()
+
+    def _check(self) -> None:
+        self._freeze_slots()
+        if sum(map(bool, (self.do, self.method, self.task))) != 1:
+            raise ValueError("a goal has one of do (a routine), method (a mission method) and task (with goals).")
+        if self.do:
+            self._check_call()
+        if self.task and not self.goals:
+            raise ValueError(f"the task {self.task!r} has no goals.")
+        if not self.task and (self.goals or self.gate != "and"):
+            raise ValueError(f"the goal {self.shown!r} is no task; goals and gate belong to tasks.")
+        if not self.method and self.slots:
+            raise ValueError(f"the goal {self.shown!r} names no method; slots belong to methods.")
+        for slot in self.slots:
+            if not self.filling(slot) or not all(name.strip() for name in self.filling(slot)):
+                raise ValueError(f"the slot {slot!r} is filled with nothing; leave it out.")
+        if both := [kind for kind in self.by if kind in self.not_by]:
+            raise ValueError(f"the goal {self.shown!r} is for robot type {both[0]!r} by 'by' and not by 'not_by'.")
+
+    def _freeze_slots(self) -> None:
+        """Text stays text; a list of texts becomes a tuple, so that the value can be hashed."""
+        frozen = {
+            slot: given if isinstance(given, str) else tuple(given) if isinstance(given, list | tuple) else given
+            for slot, given in self.slots.items()
+        }
+        for slot, given in frozen.items():
+            if not all(isinstance(name, str) for name in (given if isinstance(given, tuple) else (given,))):
+                raise ValueError(f"slots.{slot} must be text or a list of texts, got {given!r}.")
+        object.__setattr__(self, "slots", FrozenMap(frozen))
+
+    def _check_call(self) -> None:
+        found = _CALL.fullmatch(self.do)
+        if found is None or not all(part.strip() for part in found[2].split(",")):
+            raise ValueError(f"{self.do!r} is not of the form Routine(entity) or Routine(entity, entity).")
+
+    @property
+    def routine(self) -> str:
+        """Id of the routine; empty if the goal is none."""
+        found = _CALL.fullmatch(self.do)
+        return found[1] if found else ""
+
+    @property
+    def arguments(self) -> tuple[str, ...]:
+        """Whom or what the routine is about, in order."""
+        found = _CALL.fullmatch(self.do)
+        return tuple(part.strip() for part in found[2].split(",")) if found else ()
+
+    def filling(self, slot: str) -> tuple[str, ...]:
+        """What a slot is filled with."""
+        given = self.slots[slot]
+        return (given,) if isinstance(given, str) else tuple(given)
+
+    @property
+    def entities(self) -> tuple[str, ...]:
+        """Everybody and everything that the goal itself names."""
+        return (*self.arguments, *(name for slot in self.slots for name in self.filling(slot)))
+
+    @property
+    def awaited(self) -> tuple[str, ...]:
+        """Names of all goals that this one refers to."""
+        return (*self.after, *((self.until,) if self.until else ()))
+
+    @property
+    def shown(self) -> str:
+        """The goal in a few words: ``Search(keys)``, ``rescue(victim = Anna)``, or the label of its task."""
+        slots = ", ".join(f"{slot} = {' and '.join(self.filling(slot))}" for slot in self.slots)
+        return self.do or self.task or f"{self.method}({slots})"
+
+    def below(self) -> Iterator[Goal]:
+        """The goal and all goals of its task."""
+        waiting = [self]
+        while waiting:
+            goal = waiting.pop()
+            yield goal
+            waiting.extend(reversed(goal.goals))
+
+
+def all_goals(goals: Iterable[Goal]) -> Iterator[Goal]:
+    """The goals and those of their tasks, in the order in which they are written."""
+    for goal in goals:
+        yield from goal.below()
+
+
+def in_words(goals: Iterable[Goal]) -> str:
+    """What the goals ask for, in one line."""
+    return "; ".join(goal.shown for goal in goals)
+
+
+def check_goals(goals: tuple[Goal, ...]) -> None:
+    """
+    Refuse goals that refer to each other in vain.
+
+    Raises
+    ------
+    ValueError
+        If a name stands twice, nothing answers to a name, a goal waits for one that it is part of, or goals wait for each other.
+    """
+    every = tuple(all_goals(goals))
+    named = {goal.name: goal for goal in every if goal.name}
+    require_unique("goal", tuple(goal.name for goal in every if goal.name))
+    for goal in every:
+        for name in goal.awaited:
+            if name not in named:
+                known = ", ".join(named) or "none"
+                raise ValueError(f"the goal {goal.shown!r} refers to goal {name!r}; named goals are: {known}.")
+            if _holds(goal, named[name]) or _holds(named[name], goal):
+                raise ValueError(f"the goal {goal.shown!r} cannot wait for {name!r}; one is part of the other.")
+    _refuse_circle(every)
+
+
+def _holds(outer: Goal, inner: Goal) -> bool:
+    return any(goal is inner for goal in outer.below())
+
+
+def _refuse_circle(goals: tuple[Goal, ...]) -> None:
+    """Take away, again and again, what waits for nothing that is left; what never goes waits for itself."""
+    waits = {goal.name: set(goal.after) for goal in goals if goal.name}
+    while free := [name for name, others in waits.items() if not others & waits.keys()]:
+        for name in free:
+            del waits[name]
+    if not waits:
+        return
+    circle = [next(iter(waits))]
+    while circle.count(circle[-1]) == 1:
+        circle.append(min(waits[circle[-1]] & waits.keys()))
+    circle = circle[circle.index(circle[-1]) :]
+    raise ValueError(f"the order of the goals is a circle: {' after '.join(map(repr, circle))}.")
