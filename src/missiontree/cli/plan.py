@@ -42,6 +42,13 @@ def command(
             "--transcript", metavar="FILE", help="Write the dialogue that built the tree to this file, as JSON lines."
         ),
     ] = None,
+    explain_reading: Annotated[
+        bool,
+        typer.Option(
+            "--explain-reading",
+            help="Show how the words were read, instead of the plan: clauses, methods, who is meant, order, assumptions.",
+        ),
+    ] = False,
     time_limit: options.TimeLimit = None,
     seed: options.Seed = None,
     as_json: options.AsJson = False,
@@ -74,12 +81,18 @@ def command(
         plan = plan_request(request, control)
         if plan.outcome == "exhausted" and control.stop():
             raise KeyboardInterrupt
-    deliver(plan, out, transcript, as_json, quiet, colour)
+    deliver(plan, out, transcript, as_json, quiet, colour, explain_reading)
     return OUTCOMES[plan.outcome]
 
 
 def deliver(
-    plan: Plan, out: Path | None, transcript: Path | None, as_json: bool, quiet: bool, colour: bool | None
+    plan: Plan,
+    out: Path | None,
+    transcript: Path | None,
+    as_json: bool,
+    quiet: bool,
+    colour: bool | None,
+    explain_reading: bool,
 ) -> None:
     """Print the plan and write the files asked for."""
     from missiontree.formats.document import write_text
@@ -91,7 +104,11 @@ def deliver(
     if as_json:
         typer.echo(write_text(plan, "plan"), nl=False)
         return
-    if not quiet or out is None:
+    if explain_reading:
+        from missiontree.reporting.reading_view import reading_view
+
+        show(reading_view(plan), colour)
+    elif not quiet or out is None:
         from missiontree.reporting.text import plan_view
 
         show(plan_view(plan), colour)
