@@ -7,12 +7,12 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from missiontree.authoring.answer import Answer
+from missiontree.authoring.composing.composition import Composition, mentions_of
 from missiontree.authoring.desk import Desk
 from missiontree.authoring.entities import is_said
 from missiontree.authoring.findings import gate
 from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.links import name_of_kind
-from missiontree.authoring.methods.composition import Composition, mentions_of
 from missiontree.authoring.methods.mention import Mention
 from missiontree.authoring.methods.outline import Piece
 from missiontree.authoring.outcome import Authored

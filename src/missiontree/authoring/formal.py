@@ -10,8 +10,9 @@ from collections.abc import Mapping, Sequence
 from itertools import product
 
 from missiontree.authoring.building import built
+from missiontree.authoring.composing.composing import composed
+from missiontree.authoring.composing.composition import Composition
 from missiontree.authoring.desk import Desk
-from missiontree.authoring.methods.composition import Composition, composed
 from missiontree.authoring.methods.method import MethodLibrary, built_in_methods
 from missiontree.authoring.methods.outline import NobodyError, Piece
 from missiontree.authoring.outcome import Authored

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from missiontree.authoring.building import built
+from missiontree.authoring.composing.composing import composed
 from missiontree.authoring.desk import Desk
-from missiontree.authoring.methods.composition import composed
 from missiontree.authoring.methods.method import MethodLibrary, built_in_methods
 from missiontree.authoring.outcome import Authored
 from missiontree.authoring.reading.clauses import MAX_WORDS, Clause, Word, clauses_of, words_of_text
@@ -21,7 +21,7 @@ from missiontree.authoring.reading.hearing import hearing_of
 from missiontree.authoring.reading.outcomes import Goal, Trouble, Unserved
 from missiontree.authoring.reading.robots import robots_carried, robots_marked
 from missiontree.authoring.reading.taking import errands_joined
-from missiontree.authoring.reading.wording import verbs_repeated
+from missiontree.authoring.reading.wording import not_until, verbs_repeated
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.reason import Reason
 
@@ -78,7 +78,7 @@ def _clauses(words: tuple[Word, ...], reader: GoalReader) -> tuple[Clause, ...]:
     fleet, lexicon, known = heard.brief.fleet, heard.lexicon, frozenset(heard.phrases.known)
     standing = standing_orders(words, fleet, lexicon, known)
     marked = robots_marked(standing.words, fleet, lexicon, known)
-    clauses = verbs_repeated(clauses_of(marked, lexicon), lexicon)
+    clauses = not_until(verbs_repeated(clauses_of(marked, lexicon), lexicon), lexicon)
     return robots_restricted(robots_carried(errands_joined(clauses, lexicon)), standing)
 
 

@@ -42,9 +42,9 @@ def command(
     colour: options.Colour = None,
 ) -> int:
     """Learn a mission method from a tree."""
+    from missiontree.authoring.learning.teaching import method_from
+    from missiontree.authoring.learning.writing import added, methods_text
     from missiontree.authoring.methods.method import load_methods
-    from missiontree.authoring.methods.writing import added, methods_text
-    from missiontree.authoring.teaching import method_from
 
     if method_id:
         _check_id(method_id)

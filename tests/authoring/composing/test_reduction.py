@@ -7,8 +7,8 @@ from itertools import pairwise, product
 from hypothesis import given
 from hypothesis import strategies as st
 
+from missiontree.authoring.composing.reduction import MAX_PAIRS, without_implied
 from missiontree.authoring.methods.outline import Outline, Piece
-from missiontree.authoring.methods.reduction import MAX_PAIRS, without_implied
 from missiontree.routines.library import built_in
 
 SEARCH = built_in().by_id["Search"]

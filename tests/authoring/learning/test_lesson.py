@@ -9,12 +9,12 @@ from typing import Any
 import pytest
 
 from missiontree.authoring.author import author_tree
-from missiontree.authoring.methods.likeness import difference
+from missiontree.authoring.learning.likeness import difference
+from missiontree.authoring.learning.teaching import method_from
+from missiontree.authoring.learning.writing import added, methods_text
 from missiontree.authoring.methods.method import Method, MethodLibrary, Step, built_in_methods, read_methods
-from missiontree.authoring.methods.writing import added, methods_text
 from missiontree.authoring.offline import author_offline
 from missiontree.authoring.outcome import Authored
-from missiontree.authoring.teaching import method_from
 from missiontree.errors import InputError
 from missiontree.llm.scripted import ScriptedModel
 from missiontree.mission.brief import MissionBrief

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from missiontree.authoring.methods.likeness import difference
+from missiontree.authoring.learning.likeness import difference
 from missiontree.mission.entity import Entity
 from missiontree.mission.scene import Scene
 from missiontree.mission.tree import Link, MissionNode, MissionTree

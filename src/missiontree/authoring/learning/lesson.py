@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 from missiontree.authoring.language.lexicon import Lexicon
+from missiontree.authoring.learning.spotting import HAZARD, Named, slot_name
 from missiontree.authoring.matching import words_of
 from missiontree.authoring.methods.method import RESPONDER, Implied, Method, Step
 from missiontree.authoring.methods.outline import found_by, leaf_of
-from missiontree.authoring.methods.spotting import HAZARD, Named, slot_name
 from missiontree.authoring.reading.clauses import Clause
 from missiontree.errors import InputError
 from missiontree.mission.entity import Entity

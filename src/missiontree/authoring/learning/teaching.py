@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 from missiontree.authoring.findings import gate
 from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.language.lexicon import Lexicon
+from missiontree.authoring.learning.lesson import SAYS, Lesson, learned, pattern_of
+from missiontree.authoring.learning.likeness import difference
+from missiontree.authoring.learning.spotting import Named, Spotter, slot_name
 from missiontree.authoring.matching import listed, quoted, words_of
-from missiontree.authoring.methods.learning import SAYS, Lesson, learned, pattern_of
-from missiontree.authoring.methods.likeness import difference
 from missiontree.authoring.methods.mention import Mention
 from missiontree.authoring.methods.method import Method, MethodLibrary
-from missiontree.authoring.methods.spotting import Named, Spotter, slot_name
 from missiontree.authoring.offline import author_offline, clauses_read
 from missiontree.authoring.reading.clauses import MAX_CLAUSE_WORDS, Clause
 from missiontree.errors import InputError

@@ -66,7 +66,7 @@ def _of_routines(verb: Verb, library: RoutineLibrary, lexicon: Lexicon) -> Itera
         for form in (form for forms in routine.forms for form in forms if _begins(form, verb, lexicon)):
             yield Candidate((tier, -fixed_words(form) - len(routine.arguments), order), form, routine=routine)
         exact = verb.phrase in verbs
-        if exact or any(goals & set(lexicon.goals_of.get(known, ())) for known in verbs):
+        if exact or (not own and any(goals & set(lexicon.goals_of.get(known, ())) for known in verbs)):
             tier = tier if exact else _SAME_GOAL
             yield Candidate((tier, -len(routine.arguments), order), _form(routine, verb, own=own), routine=routine)
 

@@ -18,7 +18,16 @@ def choice_of(clause: Clause, goals: Sequence[Goal]) -> Goal:
         if all(_calls(goal) != _calls(other) for other in distinct):
             distinct.append(goal)
     outline = distinct[0].outline
-    if len(distinct) > 1:
+    shared = [call for call in _calls(distinct[0]) if all(call in _calls(goal) for goal in distinct)]
+    if len(distinct) > 1 and shared and not any(goal.outline.links for goal in distinct):
+        common = [piece for piece in outline.pieces if piece.routine is not None and piece.call in shared]
+        for goal in distinct:
+            goal.outline.pieces = [p for p in goal.outline.pieces if p.routine is None or p.call not in shared]
+        rest = [goal for goal in distinct if goal.outline.pieces]
+        if len(rest) == len(distinct):
+            options = [option_of([goal.outline], goal.clause.text) for goal in rest]
+            outline = Outline([*common, Piece(title(clause.text), pieces=options, gate="xor")])
+    elif len(distinct) > 1:
         options = [option_of([goal.outline], goal.clause.text) for goal in distinct]
         links = [link for goal in distinct for link in goal.outline.links]
         outline = Outline([Piece(title(clause.text), pieces=options, gate="xor")], links)

@@ -22,6 +22,25 @@ _QUOTES = str.maketrans(
 _BLANK_BEFORE_SIGN = re.compile(r" (?=[,)])")
 STOPS = frozenset(".!?;:")
 _AUXILIARIES = frozenset({"is", "are", "be", "gets", "been"})
+_ANDS = (("as", "well", "as"), ("along", "with"), ("together", "with"))
+_CALLS = frozenset(
+    {
+        "hurry",
+        "quick",
+        "quickly",
+        "help",
+        "look",
+        "listen",
+        "attention",
+        "emergency",
+        "alarm",
+        "alert",
+        "team",
+        "robots",
+        "everybody",
+        "folks",
+    }
+)
 _GO = frozenset(
     {
         "go",
@@ -152,6 +171,7 @@ def words_of_text(text: str) -> tuple[Word, ...]:
     """The words and signs of a text; look-alike signs made alike, quotation marks left out."""
     plain = _DASH.sub(" , ", unicodedata.normalize("NFC", text).translate(_QUOTES))
     words = [Word(word, word.lower()) for word in _WORD.findall(plain)]
+    words = _joined_up(words)
     for place in range(len(words) - 1, 0, -1):  # "go home" as "go to home"
         if words[place].low in _ALONE and words[place].text.islower() and words[place - 1].low in _GO:
             words.insert(place, Word("", "to"))
@@ -160,6 +180,21 @@ def words_of_text(text: str) -> tuple[Word, ...]:
         for place, word in enumerate(words)
         if not (word.low == "." and place and words[place - 1].low in _TITLES) and not _needless(words, place)
     )
+
+
+def _joined_up(words: list[Word]) -> list[Word]:
+    """The words with "as well as", "along with" and "together with" as "and"."""
+    made: list[Word] = []
+    place = 0
+    while place < len(words):
+        width = next((len(w) for w in _ANDS if tuple(word.low for word in words[place : place + len(w)]) == w), 0)
+        if width and made and place + width < len(words):
+            made.append(Word(" ".join(word.text for word in words[place : place + width]), "and"))
+            place += width
+            continue
+        made.append(words[place])
+        place += 1
+    return made
 
 
 def _needless(words: list[Word], place: int) -> bool:
@@ -213,6 +248,8 @@ class _Splitter:
             self._close("start")
             self.sentence += 1
             return 1
+        if not self.held and lows[place] in _CALLS and lows[place + 1 : place + 2] in ([","], ["!"]):
+            return 1
         over = self.lexicon.passed_over.at(lows, place)
         joined = self.lexicon.joins.at(lows, place)
         if over is not None and over[1] > 1 and (joined is None or over[1] > joined[1]):
@@ -251,7 +288,7 @@ class _Splitter:
         """An *or* between two clauses, or a *but* that only goes on; 0 if it is neither."""
         behind = place + 1 + (lows[place + 1 : place + 2] == ["else"] and lows[place] == "or")
         if lows[place] == "or":
-            if not self.held or lows[behind : behind + 1] == ["to"] or not self._verb_follows(lows, behind):
+            if not self.held or lows[behind : behind + 1] == ["to"] or not self._clause_follows(lows, behind):
                 return 0
             self._close("or")
             return behind - place
@@ -271,6 +308,8 @@ class _Splitter:
             self._close("earlier")
             return True
         if relation == "then" and lows[place] == "next" and lows[place + 1 : place + 2] == ["to"]:
+            return False
+        if lows[place : place + 1] == ["having"] and self.lexicon.verb_at(lows, place + length, "past") is None:
             return False
         if relation in {"then", "meanwhile"}:
             self._close("then" if relation == "then" else "meanwhile")
@@ -305,6 +344,10 @@ class _Splitter:
             return 1
         if self.held and lows[behind : behind + 1] == ["or"] and self._verb_follows(lows, behind + 1):
             return behind - place  # "do this, or do that"
+        if (subject := self._passive_subject()) and self.lexicon.verb_at(lows, behind, "past") is not None:
+            self._close("and")
+            self.held = subject  # "must be found and guided out"
+            return behind - place
         if self.held and self._clause_follows(lows, behind):
             spoken = _without_openings(self.held, self.lexicon)[0]
             alone = (verb := self._verb_of(self.held)) is not None and verb.length == len(spoken)
@@ -349,6 +392,14 @@ class _Splitter:
             return False
         held = [word.low for word in self.held]
         return self._verb_of(self.held) is not None or "be" in held or not self._passive_follows(lows, place)
+
+    def _passive_subject(self) -> list[Word]:
+        """The words of the clause under way up to its "must be", if it has one and a verb behind that."""
+        lows = [word.low for word in self.held]
+        place = next((at for at in range(2, len(lows)) if lows[at] == "be" and lows[at - 1] in _MODALS), 0)
+        if not place or self.lexicon.verb_at(lows, place + 1, "past") is None:
+            return []
+        return list(self.held[: place + 1])
 
     def _passive_follows(self, lows: list[str], place: int) -> bool:
         """Whether something like "Anna has to be guided" begins there."""
@@ -451,7 +502,9 @@ def _caused(words: list[Word], lexicon: Lexicon) -> list[Word]:
     for place in range(start + 1, min(len(lows), MAX_CLAUSE_WORDS)):
         if lows[place - 1] in _TO_BE or (verb := _past(lows, place, lexicon)) is None:
             continue
-        if lows[place - 1] in {"that", "who", "which", "is", "was", "been"}:
+        if lows[place - 1] in {"that", "who", "which", "was", "been"}:
+            continue
+        if lows[place - 1] in {"is", "are"} and lows[0] not in {"make", "ensure", "see"}:
             continue
         end = (
             place - 2
@@ -518,7 +571,12 @@ def _active(words: list[Word], lexicon: Lexicon, *, is_event: bool) -> list[Word
 
     "The forklift is found" asks for something only as an event that something else waits for; alone it is a statement.
     """
+    if words and words[0].low in {"shall", "should", "must"}:  # "only then shall the gate be closed"
+        be = next((at for at in range(2, len(words)) if words[at].low == "be"), 0)
+        words = [*words[1:be], words[0], *words[be:]] if be else words
     lows = [word.low for word in words]
+    if is_event and (done := _past(lows, 0, lexicon)) is not None:  # "having delivered the box"
+        return [*(Word(part, part) for part in done.phrase.split()), *words[done.length :]]
     if is_event and (place := next((at for at in (1, 2) if lows[at : at + 1] in (["have"], ["has"])), 0)):
         verb = lexicon.verb_at(lows, place + 1, "past")
         if verb is not None and " ".join(lows[:place]) in _DOERS:

@@ -7,12 +7,14 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from missiontree.authoring.language.kinds import is_abstract
-from missiontree.authoring.matching import is_misspelt, listed
+from missiontree.authoring.matching import listed
 from missiontree.authoring.methods.mention import Mention, UnclearError, title
 from missiontree.authoring.reading.ones import picked, with_noun
 from missiontree.authoring.reading.phrases import Phrase, is_plural, kind_of_phrase, plural, singular
-from missiontree.authoring.reading.places import is_designation, place_said, plain, spellings, stands_at
+from missiontree.authoring.reading.places import is_designation, plain, spellings
 from missiontree.authoring.reading.pronouns import antecedent, fits
+from missiontree.authoring.reading.quantity import ORDINALS
+from missiontree.authoring.reading.scene_names import SceneNames
 from missiontree.mission.entity import Entity
 from missiontree.mission.scene import Scene
 
@@ -28,6 +30,7 @@ _BASES = {
     "person": ("person",),
 }
 _PLURAL = {"place": "places", "object": "objects", "animal": "animals", "person": "people"}
+_TWO = frozenset({"former", "latter"})
 _WHERE = ("in ", "at ", "inside ", "from ", "on ")
 _EVERYBODY = frozenset({"everyone", "everybody", "anyone", "anybody"})
 
@@ -48,6 +51,11 @@ class Speakers:
 
     starts: dict[str, str] = field(default_factory=dict)
     """Where somebody or something was taken from, by name."""
+
+    @property
+    def names(self) -> SceneNames:
+        """What the entities of the scene are called."""
+        return SceneNames(self.scene, self.complete)
 
     def kept(self) -> Speakers:
         """A copy, to come back to if a way of reading a clause leads nowhere."""
@@ -138,26 +146,38 @@ class Speakers:
             phrase = replace(phrase, name="people" if self.complete else phrase.name)
         if group := self._numbered(phrase):
             return tuple(self._again(mention) for mention in group)
-        found = self._at_place(self._in_scene(phrase), phrase)
-        if found and phrase.ordinal:
-            raise UnclearError(f"{phrase.text!r} may be any of {listed(sorted(e.id for e in found))}; say which one")
-        if found and phrase.other:
+        if phrase.name.lower() in _TWO:
+            return (self._one_of_two(phrase),)
+        found = self.names.at_place(self.names.called(phrase), phrase)
+        if found or phrase.without:
+            return self._of_found(phrase, found)
+        return self._new(phrase, expected)
+
+    def _of_found(self, phrase: Phrase, found: list[Entity]) -> tuple[Mention, ...]:
+        """Those of the scene whom a phrase means, of all that are called so."""
+        options = listed(sorted(entity.id for entity in found))
+        if phrase.without:
+            return self._all_but(phrase, tuple(self._of_scene(entity, phrase) for entity in found))
+        if phrase.other:
             several = replace(phrase, every=True)
-            among = tuple(self._of_scene(entity, phrase) for entity in self._at_place(self._in_scene(several), several))
-            return picked(phrase, among, self.said)
-        if phrase.count is not None and found and len(found) != phrase.count:
-            options = listed(sorted(entity.id for entity in found))
+            everyone = self.names.at_place(self.names.called(several), several)
+            return picked(phrase, tuple(self._of_scene(entity, phrase) for entity in everyone), self.said)
+        if phrase.count is not None and len(found) != phrase.count:
             raise UnclearError(f"{phrase.text!r} are {phrase.count}, and the scene has {len(found)}: {options}")
-        if len(found) > 1 and not phrase.several:
-            options = ", ".join(sorted(entity.id for entity in found))
+        if phrase.ordinal or (len(found) > 1 and not phrase.several):
             raise UnclearError(f"{phrase.text!r} may be any of {options}; say which one")
-        if found:
-            return tuple(self._of_scene(entity, phrase) for entity in found)
-        if like := [entity for entity in self.scene.all_entities if self._is_like(entity, phrase)]:
+        return tuple(self._of_scene(entity, phrase) for entity in found)
+
+    def _new(self, phrase: Phrase, expected: str) -> tuple[Mention, ...]:
+        """Somebody whom the scene does not have; a question if that may be a slip."""
+        if like := self.names.alike(phrase):
             options = ", ".join(sorted(entity.label for entity in like))
             raise UnclearError(f"the scene has {options}, and none of them is called {phrase.name!r}")
-        self._refuse_misspelt(phrase)
-        self._refuse_none(phrase)
+        self.names.refuse_misspelt(phrase)
+        self.names.refuse_none(phrase)
+        if phrase.ordinal and kind_of_phrase(phrase) == "person":  # a rank: "the second engineer"
+            rank = next(word for word, number in ORDINALS.items() if number == phrase.ordinal)
+            phrase = replace(phrase, name=f"{rank} {phrase.name}", ordinal=None)
         if phrase.ordinal:
             raise UnclearError(f"it is not clear what {phrase.text!r} means; give it a name")
         if phrase.count is not None:
@@ -191,27 +211,27 @@ class Speakers:
         self.numbered[singular(plain(phrase.name))] = group
         return group
 
-    def _refuse_misspelt(self, phrase: Phrase) -> None:
-        """A name that is nearly one of the scene is no name of somebody new."""
-        everyone = self.scene.all_entities
-        near = [e for e in everyone if any(is_misspelt(phrase.name, s) for s in (e.id, e.label, *e.aliases))]
-        if near:
-            options = " or ".join(sorted({entity.label for entity in near}))
+    def _all_but(self, phrase: Phrase, found: tuple[Mention, ...]) -> tuple[Mention, ...]:
+        """All that are meant, without those who are left out."""
+        if not found:
             raise UnclearError(
-                f"nobody and nothing is called {phrase.name!r}; did you mean {options}? "
-                "If not, declare who is meant in the scene"
+                f"nobody knows which are meant by {phrase.text!r}; declare them in the scene, or name them"
             )
+        out = {m.name for one in phrase.without for m in self.resolve(with_noun(one, self.said, 0, found))}
+        left = tuple(mention for mention in found if mention.name not in out)
+        if not left or len(left) == len(found):
+            raise UnclearError(f"it is not clear whom {phrase.text!r} leaves out")
+        return left
 
-    def _refuse_none(self, phrase: Phrase) -> None:
-        """Several of which the scene has none are not one thing that it forgot."""
-        if not (self.complete and phrase.several):
-            return
-        kind = kind_of_phrase(phrase)
-        alike = [e.label for e in self.scene.all_entities if kind in {None, self.scene.base_kind(e.kind)}]
-        raise UnclearError(
-            f"the scene has no {phrase.name!r}; its {_PLURAL.get(kind or '', 'entities')} are {listed(alike)}. "
-            "Name those that are meant, or declare them in the scene"
-        )
+    def _one_of_two(self, phrase: Phrase) -> Mention:
+        """Whom "the former" or "the latter" means: one of the last two that were named together."""
+        for groups in reversed(self.said[:-1]):
+            pairs = [group for group in groups if len({mention.name for mention in group}) == 2]
+            if len(pairs) == 1:
+                return self._again(pairs[0][phrase.name.lower() == "latter"])
+            if groups:
+                break
+        raise UnclearError(f"it is not clear which two {phrase.text!r} speaks of")
 
     def implied(self, name: str, kind: str, known_as: tuple[str, ...] = ()) -> Mention:
         """Somebody whom a method needs: of the scene under one of the names, or introduced."""
@@ -233,58 +253,6 @@ class Speakers:
             plural=is_plural(name.split(" of ", maxsplit=1)[0]),
         )
 
-    def _in_scene(self, phrase: Phrase) -> list[Entity]:
-        everyone, name = self.scene.all_entities, plain(phrase.name)
-        forms = _singular(name)
-        exact = [e for e in everyone if spellings(e) & {name, plain(phrase.full)}]
-        single = [e for e in everyone if spellings(e) & set(forms)]
-        called = [e for e in everyone if self._is_called(e, name)]
-        if phrase.several:
-            bases = {base for form in forms for base in _BASES.get(form, ())}
-            called = [e for e in everyone if e in single or e in called or self.scene.base_kind(e.kind) in bases]
-            single = []
-        owner, _, owned = name.partition("'s ")
-        if owned and not (exact or single or called) and any(self._is_called(e, owner) for e in everyone):
-            return self._in_scene(replace(phrase, name=owned))
-        groups = (exact, single, called)
-        found = next((group for group in groups if group), [])
-        return self._narrowed(found, phrase)
-
-    def _is_like(self, entity: Entity, phrase: Phrase) -> bool:
-        """Whether an entity goes by the same noun, but for what is said before or behind it."""
-        words = plain(phrase.name).split()
-        noun = words[-2] if len(words) > 1 and is_designation(words[-1]) else words[-1]
-        return len(words) > 1 and self._is_called(entity, noun)
-
-    def _is_called(self, entity: Entity, name: str) -> bool:
-        *before, last = name.split()
-        words = {word for spelling in spellings(entity) for word in spelling.split()}
-        traits = {word for trait in entity.traits for word in plain(trait).split()}
-        kinds = {plain(kind) for kind in self.scene.lineage(entity.kind)} - {"object", "place"}
-        heads = {spelling.split()[-1] for spelling in spellings(entity) if spelling} | kinds
-        if self.scene.base_kind(entity.kind) == "person":
-            heads |= {spelling.split()[0] for spelling in spellings(entity) if spelling}
-        heads |= {
-            word
-            for spelling in spellings(entity)
-            for word in spelling.split()[-2:-1]
-            if is_designation(spelling.split()[-1])
-        }
-        return any(form in heads for form in _singular(last)) and set(before) <= words | traits | kinds
-
-    def _narrowed(self, found: list[Entity], phrase: Phrase) -> list[Entity]:
-        """Those among several whose traits fit what is said of them."""
-        if len(found) < 2:
-            return found
-        said = {word for part in (*phrase.states, phrase.description) for word in plain(part).split()}
-        fitting = [e for e in found if said & {w for text in (*e.traits, *spellings(e)) for w in plain(text).split()}]
-        if not fitting and phrase.lost:
-            fitting = [entity for entity in found if self.scene.whereabouts(entity).source != "known"]
-        if not fitting and phrase.several and phrase.states:
-            states = " and ".join(phrase.states)
-            raise UnclearError(f"the scene does not say which of {', '.join(e.label for e in found)} are {states}")
-        return fitting or found
-
     def _of_scene(self, entity: Entity, phrase: Phrase) -> Mention:
         states = " ".join(title(state) for state in phrase.states)
         return Mention(
@@ -294,7 +262,7 @@ class Speakers:
             kind=self.scene.base_kind(entity.kind),
             determined=phrase.determined,
             new=False,
-            known=self.scene.whereabouts(entity).source == "known",
+            known=not self.complete or self.scene.whereabouts(entity).source == "known",
             lost=phrase.lost or entity.id in self.lost,
             plural=phrase.several,
         )
@@ -327,28 +295,6 @@ class Speakers:
             plural=several,
         )
 
-    def _at_place(self, found: list[Entity], phrase: Phrase) -> list[Entity]:
-        """Those that are where the words say; all if the scene does not know."""
-        place = place_said(phrase.description, self.scene) if found else None
-        if place is None:
-            if found and self.complete and phrase.several and phrase.description.lower().startswith(_WHERE):
-                raise UnclearError(f"the scene does not say which of {phrase.name} are {phrase.description!r}")
-            return found
-        stands = {entity.id: stands_at(entity, place, self.scene) for entity in found}
-        there = [entity for entity in found if stands[entity.id]]
-        if not there and all(verdict is False for verdict in stands.values()):
-            raise UnclearError(f"the scene has {' and '.join(e.label for e in found)} elsewhere, not at {place.label}")
-        return there or found
-
     def _again(self, mention: Mention) -> Mention:
         """Somebody who is spoken of again; still lost if a statement said so."""
         return replace(mention, lost=mention.name in self.lost, determined=True)
-
-
-def _singular(noun: str) -> list[str]:
-    """The noun, and what it may be the plural of."""
-    forms = [noun, singular(noun)]
-    forms += [
-        noun[: -len(end)] + instead for end, instead in (("ies", "y"), ("es", ""), ("s", "")) if noun.endswith(end)
-    ]
-    return forms

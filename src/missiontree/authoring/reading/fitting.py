@@ -35,6 +35,7 @@ class Fitting:
         self.hearing.refusals.instruments(phrase for phrases in read.values() for phrase in phrases)
         for phrases in read.values():
             self.hearing.refusals.two_places(phrases)
+        self.hearing.refusals.company(phrase for phrases in read.values() for phrase in phrases)
         said = self._said(candidate, read)
         if candidate.method is not None and not self._holds(candidate.method, said, read):
             return None

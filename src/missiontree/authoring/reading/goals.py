@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from missiontree.authoring.methods.mention import UnclearError
 from missiontree.authoring.methods.outline import Outline
+from missiontree.authoring.reading.asides import without_asides
 from missiontree.authoring.reading.clauses import MAX_CLAUSE_WORDS, Clause
 from missiontree.authoring.reading.hearing import Hearing
 from missiontree.authoring.reading.idioms import idiom_in
 from missiontree.authoring.reading.outcomes import Goal, Trouble, Unserved, trouble
+from missiontree.authoring.reading.phrases import EXCEPTIONS
 from missiontree.authoring.reading.statements import cause_of, event_of
 from missiontree.authoring.reading.telling import Telling
 from missiontree.authoring.reading.understanding import Understanding
@@ -34,31 +37,42 @@ class GoalReader:
 
     def read(self, clause: Clause, following: Clause | None = None) -> Goal | Unserved | Trouble:
         """What a clause asks for; ``following`` lends its object to a clause that has none ("find and rescue the dog")."""
-        self.hearing.speakers.next_clause()
+        heard = self.hearing
+        heard.speakers.next_clause()
         if (again := self._event(clause)) is not None:
             return again
-        if clause.decisive:
-            words = ", ".join(repr(word) for word in clause.decisive)
-            detail = f"the offline author does not know what to make of {words} there"
-            return trouble("decisive_words", clause, detail, self.hearing.advice.on_leaving_out(clause))
-        if single := self.hearing.advice.single(clause):
-            return trouble("single_robot", clause, single)
-        wish = False
-        if clause.verb is None and (wished := wish_of(clause, self.hearing.phrases, self.hearing.lexicon)) is not None:
-            clause, wish = wished, True
-        assumed_verb: tuple[Reason, ...] = ()
-        if (
-            clause.verb is None
-            and (errand := errand_of(clause, self.hearing.phrases, self.hearing.lexicon)) is not None
-        ):
-            assumed_verb = (_without_verb(clause),)
+        clause, asides = without_asides(clause, heard.phrases, heard.lexicon)
+        if (refused := self._refused(clause)) is not None:
+            return refused
+        wished = wish_of(clause, heard.phrases, heard.lexicon) if clause.verb is None else None
+        clause = wished or clause
+        if clause.verb is None and (errand := errand_of(clause, heard.phrases, heard.lexicon)) is not None:
+            asides = (*asides, _without_verb(clause))
             clause = errand
         if clause.verb is None:
             return self._telling.told(clause)
+        words, cause = cause_of(with_object(clause, following))
+        dangers = tuple(name for name, _, _ in heard.lexicon.hazard_words.within([word.low for word in cause]))
+        if cause and not dangers:
+            said = " ".join(word.text for word in cause)
+            return trouble("words_left_over", clause, f"it is not clear what {said!r} changes")
+        heard.hazards += dangers
+        return self._kept(
+            clause, self._understanding.understood(replace(clause, words=words)), asides, wished is not None
+        )
+
+    def _refused(self, clause: Clause) -> Trouble | None:
+        """Why a clause is not understood whatever it asks for; None if nothing speaks against it."""
+        advice = self.hearing.advice
+        if set(clause.decisive) - self._excepting(clause):
+            words = ", ".join(repr(word) for word in clause.decisive)
+            detail = f"the offline author does not know what to make of {words} there"
+            return trouble("decisive_words", clause, detail, advice.on_leaving_out(clause))
+        if single := advice.single(clause):
+            return trouble("single_robot", clause, single)
         if idiom := idiom_in(clause, self.hearing.lexicon):
-            return trouble(
-                "figure_of_speech", clause, f"{idiom!r} is a figure of speech", "Say what is to be done in plain words."
-            )
+            plain = "Say what is to be done in plain words."
+            return trouble("figure_of_speech", clause, f"{idiom!r} is a figure of speech", plain)
         if len(clause.words) > MAX_CLAUSE_WORDS:
             long = f"it has {len(clause.words)} words without an end; at most {MAX_CLAUSE_WORDS} are read"
             return trouble("clause_too_long", clause, long)
@@ -67,18 +81,34 @@ class GoalReader:
             return trouble("several_robots", clause, f"it names {robots}; name one type for each part")
         if clause.robots and not set(clause.robots) - set(clause.without):
             return trouble("several_robots", clause, f"it asks for {' or '.join(clause.robots)} and leaves that out")
-        stripped, cause = cause_of(with_object(clause, following))
-        dangers = tuple(name for name, _, _ in self.hearing.lexicon.hazard_words.within([word.low for word in cause]))
-        if cause and not dangers:
-            return trouble(
-                "words_left_over", clause, f"it is not clear what {' '.join(w.text for w in cause)!r} changes"
-            )
-        self.hearing.hazards += dangers
-        goal = self._understanding.understood(replace(clause, words=stripped))
-        if isinstance(goal, Goal):
-            goal = replace(goal, assumptions=(*assumed_verb, *goal.assumptions), wished=wish)
-            self._outlines.append(goal.outline)
-        return self._understanding.in_order(goal) if clause.in_order and isinstance(goal, Goal) else goal
+        return None
+
+    def _excepting(self, clause: Clause) -> set[str]:
+        """The words of a clause that make an exception, as in "all crates but the red one"."""
+        lows = [word.low for word in clause.words]
+        return EXCEPTIONS if {"all", "every", "each"} & set(lows) else set()
+
+    def _kept(
+        self, clause: Clause, goal: Goal | Unserved | Trouble, asides: tuple[Reason, ...], wished: bool
+    ) -> Goal | Unserved | Trouble:
+        """The goal with what was taken for granted; who it is about is kept for later clauses."""
+        if isinstance(goal, Unserved):
+            self._remember_object(clause)
+        if not isinstance(goal, Goal):
+            return goal
+        goal = replace(goal, assumptions=(*asides, *goal.assumptions), wished=wished)
+        self._outlines.append(goal.outline)
+        several = len(goal.outline.pieces) > 1 or clause.relation != "and"
+        return self._understanding.in_order(goal) if clause.in_order and several else goal
+
+    def _remember_object(self, clause: Clause) -> None:
+        """Keep who or what an order that nobody serves is about, for pronouns of later clauses."""
+        assert clause.verb is not None
+        words = clause.words[clause.verb.length :]
+        read = self.hearing.phrases.phrases(words) or ()
+        with suppress(UnclearError):
+            mentions = tuple(mention for phrase in read for mention in self.hearing.speakers.resolve(phrase))
+            self.hearing.speakers.remember((mentions,))
 
     def _event(self, clause: Clause) -> Goal | Trouble | None:
         """What an earlier clause asks for, if this one names only its end: "until she is there", "once the box is delivered"."""

@@ -14,6 +14,8 @@ from missiontree.authoring.reading.quantity import number_of, quantity_of
 MAX_NAME_WORDS = 5
 ONES = frozenset({"one", "ones"})
 MAX_PHRASE_WORDS = 24
+EXCEPTIONS = {"but", "except", "excluding", "other than"}
+_NEAR = frozenset({"with", "by", "near", "beside", "for", "to", "from"})
 _SOME_OF = frozenset({"couple", "pair", "lot", "bunch", "number", "handful", "dozen", "half", "most", "some", "few"})
 _GONE = phrases_of("statements", "gone")
 _PAST = frozenset({"yesterday", "this", "last", "ago"})
@@ -75,6 +77,8 @@ class Phrase:
         Whether those that were not named so far are meant: "the other one".
     ordinal
         Which of several, from 1: "the second crate"; None if that is not said.
+    without
+        Who is left out of all that are meant: "all crates but the red one".
     text
         As it was written.
     """
@@ -90,6 +94,7 @@ class Phrase:
     count: int | None = None
     other: bool = False
     ordinal: int | None = None
+    without: tuple[Phrase, ...] = ()
 
     @property
     def several(self) -> bool:
@@ -185,7 +190,8 @@ class PhraseReader:
         if behind and behind[0].low == "of":
             belonging, behind = self._belonging(behind)
             name = (*name, *belonging)
-        if not self._is_description(behind):
+        behind, left_out = self._left_out(behind) if many.every else (behind, ())
+        if left_out is None or not self._is_description(behind):
             return None
         if many.count is not None and not is_plural(_text(name)):
             return None
@@ -200,7 +206,20 @@ class PhraseReader:
             count=many.count,
             other=many.other,
             ordinal=many.ordinal,
+            without=left_out,
         )
+
+    def _left_out(self, behind: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Phrase, ...] | None]:
+        """The words before a "but", and whom the words behind it leave out of all; None for them if they name nobody."""
+        lows = [word.low for word in behind]
+        place = next(
+            (at for at, low in enumerate(lows) if low in EXCEPTIONS or lows[at : at + 2] == ["apart", "from"]), -1
+        )
+        if place < 0:
+            return behind, ()
+        start = place + 1 + (lows[place + 1 : place + 2] in (["for"], ["from"], ["than"]))
+        one = self._one(behind[start:]) if start < len(behind) else None
+        return behind[:place], (one,) if one is not None and not one.pronoun else None
 
     def _them(self, words: tuple[Word, ...]) -> Phrase | None:
         """Words such as "both of them", "all three of them", "each of them", "them all", "the two of them", "both"."""
@@ -248,6 +267,8 @@ class PhraseReader:
             state = low in self._small["lost"] or low in self._small["states"]
             if low in _BEFORE_NOUNS:
                 continue  # "the traffic light"
+            if low in EXCEPTIONS:
+                return place
             if state and before not in self._small["lost"] and before not in self._small["states"]:
                 return place
             if kind_of(before) is not None and self._is_participle(low):
@@ -358,6 +379,8 @@ class PhraseReader:
             if low.endswith("ly") and len(low) > 4 and kind_of(low) is None:
                 return False
         last = lows[-1]
+        if last in {"it", "him", "them", "this", "that", "these", "those"} and lows[-2:-1] and lows[-2] in _NEAR:
+            return False
         return (
             last not in small["describing"]
             and last not in small["relatives"]

@@ -70,3 +70,13 @@ class Refusals:
                     and stands_at(world.by_id[mention.name], world.by_id[site.name], world) is False
                 ):
                     raise UnclearError(f"the scene has {mention.label} elsewhere, not at {site.label}")
+
+    def company(self, phrases: Iterable[Phrase]) -> None:
+        """In "the green box with the blue box", the second may be meant to come along."""
+        for phrase in phrases:
+            words = phrase.description.lower().split()
+            name = " ".join(
+                words[2:] if words[1:2] and words[1] in {"the", "a", "an", "his", "her", "its"} else words[1:]
+            )
+            if words[:1] == ["with"] and name in self.phrases.known:
+                raise UnclearError(f"it is not clear whether {name!r} is meant as well; say 'and' if it is")

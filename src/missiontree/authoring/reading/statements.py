@@ -33,6 +33,8 @@ _GONE = phrases_of("statements", "gone")
 _STANDS = frozenset(word for (word,) in phrases_of("statements", "stands"))
 _ADVERBS = frozenset(word for (word,) in phrases_of("statements", "adverbs"))
 _AT = frozenset(word for (word,) in phrases_of("statements", "at"))
+_FEELINGS = frozenset(phrases_of("statements", "feelings"))
+_VERY = phrases_of("statements", "very")
 _THERE = phrases_of("statements", "there")
 _CAUSE = phrases_of("statements", "cause")
 _ENDS = phrases_of("statements", "ends")
@@ -112,6 +114,22 @@ def event_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Phrase 
         return None
     read = phrases.phrases(clause.words[clause.verb.length :])
     return read[0] if read is not None and len(read) == 1 else None
+
+
+def feeling_of(clause: Clause, phrases: PhraseReader) -> tuple[Phrase, ...] | None:
+    """Who is said to be thirsty, tired or waiting, which changes nothing; None if the clause says something else."""
+    words = tuple(word for word in clause.words if word.low not in _ADVERBS)
+    lows = [word.low for word in words]
+    place = next((at for at in range(1, len(lows) - 1) if lows[at] in _IS | {"feels", "feel", "looks", "look"}), 0)
+    if clause.verb is not None or clause.relation != "start" or not place:
+        return None
+    behind = " ".join(low for low in lows[place + 1 :] if low not in {"today", "now", "there", "here"})
+    for very in _VERY:
+        behind = behind.removeprefix(f"{' '.join(very)} ")
+    read = phrases.phrases(words[:place])
+    return (
+        read if tuple(behind.split()) in _FEELINGS and read is not None and not any(p.pronoun for p in read) else None
+    )
 
 
 def place_of(clause: Clause, phrases: PhraseReader) -> tuple[tuple[Phrase, ...], str] | None:

@@ -13,7 +13,7 @@ from missiontree.authoring.reading.clauses import Clause
 from missiontree.authoring.reading.hearing import Hearing
 from missiontree.authoring.reading.outcomes import Goal, Trouble, trouble
 from missiontree.authoring.reading.phrases import Phrase
-from missiontree.authoring.reading.statements import Statement, danger_of, place_of, site_of, statement_of
+from missiontree.authoring.reading.statements import Statement, danger_of, feeling_of, place_of, site_of, statement_of
 from missiontree.mission.reason import Reason
 
 _ALIKE = 0.82  # "serch" is like "search"; "send" is not like "mend"
@@ -39,6 +39,8 @@ class Telling:
             return self._stated(clause, stated)
         if (placed := place_of(clause, self.hearing.phrases)) is not None:
             return self._placed(clause, *placed)
+        if (feeling := feeling_of(clause, self.hearing.phrases)) is not None:
+            return self._placed(clause, feeling, clause.text)
         return self._no_verb(clause)
 
     def _placed(self, clause: Clause, phrases: tuple[Phrase, ...], where: str) -> Goal | Trouble:

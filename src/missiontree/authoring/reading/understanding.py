@@ -129,10 +129,14 @@ class Understanding:
             goal.outline.link(one, other)
         return goal
 
+    def ways(self, verb: Verb) -> list[Candidate]:
+        """The ways in which a clause that begins with a verb may be understood."""
+        return candidates(verb, self.hearing.library, self.hearing.brief.routines, self.hearing.lexicon)
+
     def _plainly(self, clause: Clause) -> Goal | Unserved | Trouble:
         """What a clause asks for as it stands."""
         assert clause.verb is not None
-        ways = candidates(clause.verb, self.hearing.library, self.hearing.brief.routines, self.hearing.lexicon)
+        ways = self.ways(clause.verb)
         if not ways:
             goals = self.hearing.lexicon.goals_of.get(clause.verb.phrase, ())
             return Unserved((*goals, clause.verb.phrase)[0], clause.verb.phrase)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.language.lexicon import Lexicon, phrases_of
 from missiontree.authoring.reading.clauses import Clause, Word
 from missiontree.authoring.reading.phrases import PhraseReader
@@ -11,6 +12,8 @@ from missiontree.authoring.reading.phrases import PhraseReader
 _NEEDS = phrases_of("statements", "needs")
 _PLACE = frozenset({"place"})
 _ALL = frozenset({"person", "animal", "place"})
+_BE = frozenset({"is", "are"})
+_NEEDED = frozenset({"needed", "wanted", "required", "missed"})
 _WHERE = frozenset({"in", "at", "on"})
 
 
@@ -18,20 +21,39 @@ def errand_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Clause
     """A clause without a verb, such as "crate to dock 3", as an order to bring; None if it is no such clause."""
     lows = [word.low for word in clause.words]
     place = lows.index("to") if "to" in lows else 0
-    if not 0 < place < len(lows) - 1 or lows.count("to") > 1:
+    end = lows.index("or", place) if "or" in lows[place:] else len(lows)
+    if not 0 < place < end - 1 or lows[:end].count("to") > 1:
         return None
-    what, where = phrases.phrases(clause.words[:place]), phrases.phrases(clause.words[place + 1 :])
+    what, where = phrases.phrases(clause.words[:place]), phrases.phrases(clause.words[place + 1 : end])
     if what is None or where is None or len(where) != 1 or any(phrase.pronoun for phrase in what):
         return None
     if any(phrases.kind_of(phrase) in {None, "place"} for phrase in what):
         return None
-    words = (Word("bring", "bring"), *clause.words)
+    first = clause.words[0]
+    if kind_of(first.low) is not None and kind_of(first.text) is not None:  # capital at the beginning only
+        first = Word(first.low, first.low)
+    words = (Word("bring", "bring"), first, *clause.words[1:])
+    return replace(clause, words=words, verb=lexicon.verb_at(["bring"], 0, "base"))
+
+
+def _wanted_somewhere(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Clause | None:
+    """The words "the ladder is needed in the hall" as an order to bring it there."""
+    lows = [word.low for word in clause.words]
+    place = next((at for at in range(1, len(lows) - 2) if lows[at] in _BE and lows[at + 1] in _NEEDED), 0)
+    if clause.relation != "start" or not place or lows[place + 2] not in _WHERE | {"by"}:
+        return None
+    what, where = phrases.phrases(clause.words[:place]), phrases.phrases(clause.words[place + 3 :])
+    if what is None or where is None or len(where) != 1 or any(phrase.pronoun for phrase in (*what, *where)):
+        return None
+    words = (Word("bring", "bring"), *clause.words[:place], Word("to", "to"), *clause.words[place + 3 :])
     return replace(clause, words=words, verb=lexicon.verb_at(["bring"], 0, "base"))
 
 
 def wish_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Clause | None:
     """The clause as an order to bring what is needed to who or where it is needed; None if it is no such clause."""
     lows = [word.low for word in clause.words]
+    if (passive := _wanted_somewhere(clause, phrases, lexicon)) is not None:
+        return passive
     found = ((at, len(n)) for at in range(1, len(lows)) for n in _NEEDS if tuple(lows[at : at + len(n)]) == n)
     place, width = next(found, (0, 0))
     if clause.relation != "start" or not 0 < place < len(lows) - width:
@@ -45,7 +67,9 @@ def wish_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Clause |
         kinds = _PLACE
     else:
         kinds = _ALL
-    who, what = phrases.phrases(subject), phrases.phrases(wanted)
+    open_choice = next((at for at, word in enumerate(wanted) if word.low == "or"), len(wanted))
+    plain = tuple(word for word in wanted[:open_choice] if word.low != "either")
+    who, what = phrases.phrases(subject), phrases.phrases(plain)
     if who is None or what is None or len(who) != 1 or who[0].pronoun or any(phrase.pronoun for phrase in what):
         return None
     if phrases.kind_of(who[0]) not in kinds or any(phrases.kind_of(phrase) in {None, "place"} for phrase in what):

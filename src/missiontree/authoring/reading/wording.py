@@ -56,6 +56,26 @@ def _back(clause: Clause, before: Clause, lexicon: Lexicon) -> Clause:
     return clause if read is None else replace(clause, words=words, verb=read)
 
 
+def not_until(clauses: Sequence[Clause], lexicon: Lexicon) -> tuple[Clause, ...]:
+    """Words such as "do not do this until that is done" as "do this after that is done"."""
+    kept = list(clauses)
+    for index, clause in enumerate(kept):
+        main = kept[clause.anchor] if clause.anchor is not None and clause.anchor < len(kept) else None
+        if clause.relation != "until" or main is None or not set(main.decisive) <= _NOT or not main.decisive:
+            continue
+        width = next(
+            (len(no.split()) for no in _NOT if [w.low for w in main.words[: len(no.split())]] == no.split()), 0
+        )
+        verb = lexicon.verb_at([word.low for word in main.words], width, "base") if width else None
+        if verb is not None and clause.anchor is not None:
+            kept[clause.anchor] = replace(main, words=main.words[width:], verb=verb, decisive=())
+            kept[index] = replace(clause, relation="after")
+    return tuple(kept)
+
+
+_NOT = frozenset({"do not", "don't", "never"})
+
+
 def with_object(clause: Clause, following: Clause | None) -> tuple[Word, ...]:
     """The words of a clause, the verb in its base form, with the object of the one behind it if it shares that."""
     assert clause.verb is not None
