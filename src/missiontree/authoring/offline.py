@@ -14,7 +14,8 @@ from missiontree.authoring.composing.composing import composed
 from missiontree.authoring.desk import Desk
 from missiontree.authoring.methods.method import MethodLibrary, built_in_methods
 from missiontree.authoring.outcome import Authored
-from missiontree.authoring.reading.clauses import MAX_WORDS, Clause, Word, clauses_of, words_of_text
+from missiontree.authoring.reading.clause import Clause
+from missiontree.authoring.reading.clauses import clauses_of
 from missiontree.authoring.reading.exclusions import robots_restricted, standing_orders
 from missiontree.authoring.reading.goals import GoalReader
 from missiontree.authoring.reading.hearing import hearing_of
@@ -22,6 +23,7 @@ from missiontree.authoring.reading.outcomes import Goal, Trouble, Unserved
 from missiontree.authoring.reading.robots import robots_carried, robots_marked
 from missiontree.authoring.reading.taking import errands_joined
 from missiontree.authoring.reading.wording import not_until, verbs_repeated
+from missiontree.authoring.reading.words import MAX_WORDS, Word, words_of_text
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.reason import Reason
 

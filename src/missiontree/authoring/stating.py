@@ -12,10 +12,11 @@ from missiontree.authoring.methods.mention import Mention, UnclearError, title
 from missiontree.authoring.methods.method import RESPONDER, Method, MethodLibrary
 from missiontree.authoring.methods.outline import Outline, Piece, StepError, fill, leaf_of, outline_of, restrict
 from missiontree.authoring.reading import outcomes
-from missiontree.authoring.reading.clauses import Clause, Word
+from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.entities import Speakers
-from missiontree.authoring.reading.phrases import Phrase, kind_of_phrase
+from missiontree.authoring.reading.phrase import Phrase, kind_of_phrase
 from missiontree.authoring.reading.remarks import assumed, unused_words
+from missiontree.authoring.reading.words import Word
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.goal import Goal
 from missiontree.mission.pattern import Form

@@ -6,7 +6,7 @@ import pytest
 
 from missiontree.authoring.methods.mention import UnclearError
 from missiontree.authoring.reading.entities import Speakers
-from missiontree.authoring.reading.phrases import Phrase
+from missiontree.authoring.reading.phrase import Phrase
 from missiontree.mission.entity import Entity
 from missiontree.mission.scene import Scene
 

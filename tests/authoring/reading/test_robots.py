@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 from missiontree.authoring.language.lexicon import Lexicon
-from missiontree.authoring.reading.clauses import clauses_of, words_of_text
+from missiontree.authoring.reading.clauses import clauses_of
 from missiontree.authoring.reading.robots import named_robots, robots_carried, robots_marked
+from missiontree.authoring.reading.words import words_of_text
 from missiontree.mission.fleet import Capability, Fleet, Robot, RobotType
 
 LEXICON = Lexicon()

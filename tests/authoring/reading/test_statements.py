@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 
 from missiontree.authoring.language.lexicon import Lexicon
-from missiontree.authoring.reading.clauses import clauses_of, words_of_text
+from missiontree.authoring.reading.clauses import clauses_of
 from missiontree.authoring.reading.phrases import PhraseReader
 from missiontree.authoring.reading.statements import Statement, statement_of
+from missiontree.authoring.reading.words import words_of_text
 
 LEXICON = Lexicon()
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 from missiontree.authoring.language.lexicon import Lexicon
-from missiontree.authoring.reading.clauses import clauses_of, words_of_text
+from missiontree.authoring.reading.clauses import clauses_of
 from missiontree.authoring.reading.taking import errands_joined
+from missiontree.authoring.reading.words import words_of_text
 
 LEXICON = Lexicon()
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 from missiontree.authoring.composing.composition import Composition
 from missiontree.authoring.composing.units import Unit
 from missiontree.authoring.methods.outline import Piece
-from missiontree.authoring.reading.clauses import Relation
+from missiontree.authoring.reading.clause import Relation
 from missiontree.authoring.reading.outcomes import Goal
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import RoutineLibrary

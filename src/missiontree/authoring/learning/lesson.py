@@ -12,7 +12,7 @@ from missiontree.authoring.learning.spotting import HAZARD, Named, slot_name
 from missiontree.authoring.matching import words_of
 from missiontree.authoring.methods.method import RESPONDER, Implied, Method, Step
 from missiontree.authoring.methods.outline import found_by, leaf_of
-from missiontree.authoring.reading.clauses import Clause
+from missiontree.authoring.reading.clause import Clause
 from missiontree.errors import InputError
 from missiontree.mission.entity import Entity
 from missiontree.mission.routine import RoutineLibrary

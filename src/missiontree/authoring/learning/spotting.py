@@ -13,10 +13,12 @@ from missiontree.authoring.language.lexicon import Lexicon
 from missiontree.authoring.matching import words_of
 from missiontree.authoring.methods.mention import Mention, UnclearError, title
 from missiontree.authoring.methods.method import RESPONDER
-from missiontree.authoring.reading.clauses import Clause, Word
+from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.entities import Speakers
-from missiontree.authoring.reading.phrases import Phrase, PhraseReader, kind_of_phrase
+from missiontree.authoring.reading.phrase import Phrase, kind_of_phrase
+from missiontree.authoring.reading.phrases import PhraseReader
 from missiontree.authoring.reading.places import plain, spellings
+from missiontree.authoring.reading.words import Word
 from missiontree.mission.entity import Entity
 from missiontree.mission.scene import Scene
 

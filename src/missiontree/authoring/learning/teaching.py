@@ -15,7 +15,7 @@ from missiontree.authoring.matching import listed, quoted, words_of
 from missiontree.authoring.methods.mention import Mention
 from missiontree.authoring.methods.method import Method, MethodLibrary
 from missiontree.authoring.offline import author_offline, clauses_read
-from missiontree.authoring.reading.clauses import MAX_CLAUSE_WORDS, Clause
+from missiontree.authoring.reading.clause import MAX_CLAUSE_WORDS, Clause
 from missiontree.errors import InputError
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.entity import Entity

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from missiontree.authoring.language.lexicon import Lexicon, PhraseTable
-from missiontree.authoring.reading.clauses import Clause
+from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.robots import named_robots
 from missiontree.mission.fleet import Fleet
 

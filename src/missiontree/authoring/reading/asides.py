@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from missiontree.authoring.language.lexicon import Lexicon
-from missiontree.authoring.reading.clauses import Clause, Word
+from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.phrases import PhraseReader
 from missiontree.authoring.reading.wording import PREPOSITIONS
+from missiontree.authoring.reading.words import Word
 from missiontree.mission.reason import Reason
 
 _CONTRASTS = (("not",), ("and", "not"), ("but", "not"), ("instead", "of"), ("rather", "than"))

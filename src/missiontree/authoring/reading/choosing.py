@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from missiontree.authoring.methods.mention import title
 from missiontree.authoring.methods.outline import Outline, Piece
-from missiontree.authoring.reading.clauses import Clause
+from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.outcomes import Goal
 from missiontree.mission.reason import Reason
 

@@ -10,9 +10,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from missiontree.authoring.language.kinds import kind_of
-from missiontree.authoring.reading.clauses import Word
 from missiontree.authoring.reading.places import is_designation
 from missiontree.authoring.reading.wording import PREPOSITIONS, TO
+from missiontree.authoring.reading.words import Word
 
 MAX_OPTIONS = 6
 _TO = frozenset(TO.split("|"))

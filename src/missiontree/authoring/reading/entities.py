@@ -10,8 +10,9 @@ from missiontree.authoring.language.kinds import is_abstract
 from missiontree.authoring.matching import listed
 from missiontree.authoring.methods.mention import Mention, UnclearError, title
 from missiontree.authoring.reading.ones import picked, with_noun
-from missiontree.authoring.reading.phrases import Phrase, is_plural, kind_of_phrase, plural, singular
+from missiontree.authoring.reading.phrase import Phrase, kind_of_phrase
 from missiontree.authoring.reading.places import is_designation, plain, spellings
+from missiontree.authoring.reading.plurals import is_plural, plural, singular
 from missiontree.authoring.reading.pronouns import antecedent, fits
 from missiontree.authoring.reading.quantity import ORDINALS
 from missiontree.authoring.reading.scene_names import SceneNames

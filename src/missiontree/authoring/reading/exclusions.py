@@ -10,8 +10,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from missiontree.authoring.language.lexicon import Lexicon, PhraseTable, phrase_table, phrases_of
-from missiontree.authoring.reading.clauses import STOPS, Clause, Word
+from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.robots import Named, named_at, robot_names
+from missiontree.authoring.reading.words import STOPS, Word
 from missiontree.mission.fleet import Fleet
 
 _JOINS = frozenset({"or", "nor", "and", ",", "any", "with", "by", "using"})

@@ -10,11 +10,12 @@ from missiontree.authoring.methods.method import RESPONDER, Method
 from missiontree.authoring.methods.outline import NobodyError, Outline, fill, leaf_of, outline_of
 from missiontree.authoring.methods.slots import Span, matches
 from missiontree.authoring.reading.candidates import Candidate
-from missiontree.authoring.reading.clauses import Clause, Word
+from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.hearing import Hearing
 from missiontree.authoring.reading.outcomes import Goal
-from missiontree.authoring.reading.phrases import Phrase
+from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.remarks import Read, Said, assumed, reading_line, unused_words
+from missiontree.authoring.reading.words import Word
 from missiontree.mission.scene import BASE_KINDS
 
 Bindings = dict[str, tuple[Mention, ...]]

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from missiontree.authoring.methods.mention import UnclearError
 from missiontree.authoring.methods.outline import Outline
 from missiontree.authoring.reading.asides import without_asides
-from missiontree.authoring.reading.clauses import MAX_CLAUSE_WORDS, Clause
+from missiontree.authoring.reading.clause import MAX_CLAUSE_WORDS, Clause
 from missiontree.authoring.reading.hearing import Hearing
 from missiontree.authoring.reading.idioms import idiom_in
 from missiontree.authoring.reading.outcomes import Goal, Trouble, Unserved, trouble

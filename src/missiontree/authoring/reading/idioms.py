@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from missiontree.authoring.language.lexicon import Lexicon
-from missiontree.authoring.reading.clauses import Clause
+from missiontree.authoring.reading.clause import Clause
 
 _DROPPED = frozenset({"the", "a", "an", "my", "your", "his", "her", "its", "our", "their", "some", "any", "me", "us"})
 

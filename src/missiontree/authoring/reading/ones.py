@@ -7,7 +7,9 @@ from dataclasses import replace
 
 from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.methods.mention import Mention, UnclearError
-from missiontree.authoring.reading.phrases import ONES, Phrase, is_plural, singular
+from missiontree.authoring.reading.phrase import Phrase
+from missiontree.authoring.reading.phrases import ONES
+from missiontree.authoring.reading.plurals import is_plural, singular
 from missiontree.authoring.reading.pronouns import Groups
 
 

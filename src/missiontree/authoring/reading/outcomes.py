@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from missiontree.authoring.methods.outline import Outline
-from missiontree.authoring.reading.clauses import Clause
+from missiontree.authoring.reading.clause import Clause
 from missiontree.mission.reason import Reason
 
 

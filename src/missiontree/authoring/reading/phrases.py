@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 
 from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.language.lexicon import Lexicon, phrases_of
-from missiontree.authoring.reading.clauses import Word
+from missiontree.authoring.reading.phrase import Phrase, kind_of_phrase
+from missiontree.authoring.reading.plurals import is_plural
 from missiontree.authoring.reading.quantity import number_of, quantity_of
+from missiontree.authoring.reading.words import Word
 
 MAX_NAME_WORDS = 5
 ONES = frozenset({"one", "ones"})
@@ -20,7 +21,6 @@ _SOME_OF = frozenset({"couple", "pair", "lot", "bunch", "number", "handful", "do
 _GONE = phrases_of("statements", "gone")
 _PAST = frozenset({"yesterday", "this", "last", "ago"})
 _BEFORE_NOUNS = frozenset({"light", "heavy", "old", "young", "dear", "poor", "blind", "best"})
-_SINGULAR = frozenset({"gas", "lens", "canvas", "atlas", "news"})
 # A description that holds one of these says what is to be done, or with what, and not who is meant.
 _NOT_DESCRIBING = frozenset(
     {
@@ -48,70 +48,6 @@ _NOT_DESCRIBING = frozenset(
     "through",
     "via",
 }
-
-
-@dataclass(frozen=True, slots=True)
-class Phrase:
-    """
-    Somebody or something that is spoken of.
-
-    Parameters
-    ----------
-    name
-        What it is called, without article, states and descriptions: ``child``, ``red ball``, ``room 12``.
-    determined
-        Whether it stands with an article or a possessive; a bare "mom" is a name.
-    states
-        Words such as ``lost`` or ``heavy``, which are not part of what it is called.
-    description
-        What is said of it behind the noun: ``trapped in a building on fire``.
-    pronoun
-        ``thing``, ``person``, ``several`` or ``place`` if it is a pronoun; empty if it is not.
-    lost
-        Whether the words say that nobody knows where it is, or that it cannot come by itself.
-    every
-        Whether all that are called so are meant: "all crates".
-    count
-        How many are meant: "the three crates"; None if that is not said.
-    other
-        Whether those that were not named so far are meant: "the other one".
-    ordinal
-        Which of several, from 1: "the second crate"; None if that is not said.
-    without
-        Who is left out of all that are meant: "all crates but the red one".
-    text
-        As it was written.
-    """
-
-    name: str
-    text: str
-    determined: bool = False
-    states: tuple[str, ...] = ()
-    description: str = ""
-    pronoun: str = ""
-    lost: bool = False
-    every: bool = False
-    count: int | None = None
-    other: bool = False
-    ordinal: int | None = None
-    without: tuple[Phrase, ...] = ()
-
-    @property
-    def several(self) -> bool:
-        """Whether more than one is meant, going by the words: "all staff", "crates"; not "Thomas", which is a name."""
-        name_of_its_own = not self.determined and self.name[:1].isupper() and kind_of(self.name) is None
-        return self.every or self.count is not None or (is_plural(self.name) and not name_of_its_own)
-
-    @property
-    def is_own_name(self) -> bool:
-        """Whether it is written as a name of its own: "Rose", and neither "the rose" nor "ROSE" nor "rose"."""
-        first = self.name[:1].isupper() and not (len(self.name) > 1 and self.name == self.name.upper())
-        return first and not self.determined and len(self.name.split()) == 1
-
-    @property
-    def full(self) -> str:
-        """The name with its states."""
-        return " ".join((*self.states, self.name))
 
 
 class PhraseReader:
@@ -392,73 +328,6 @@ def _is_gone(words: Sequence[Word]) -> bool:
     """Whether a description says that somebody went missing: "who ran away"."""
     lows = tuple(word.low for word in words)
     return any(lows[at : at + len(gone)] == gone for gone in _GONE for at in range(len(lows)))
-
-
-def kind_of_phrase(phrase: Phrase) -> str | None:
-    """Base kind of what a phrase names, going by its noun; a name of its own is taken to be a person's."""
-    head, _, last = phrase.name.rpartition(" ")
-    numbered = (
-        head if head and (last[-1].isdigit() or (last[:1].isupper() and kind_of(phrase.name) is None)) else phrase.name
-    )
-    kind = kind_of(numbered)
-    if phrase.is_own_name and kind in {None, "object", "animal"} and not is_plural(phrase.name):
-        return "person"  # Rose, Leo and Bill are people
-    proper = not phrase.determined and phrase.name[:1].isupper()
-    return kind or ("person" if proper else None)
-
-
-_IRREGULAR = {
-    "people": "person",
-    "men": "man",
-    "women": "woman",
-    "children": "child",
-    "mice": "mouse",
-    "geese": "goose",
-    "oxen": "ox",
-    "calves": "calf",
-    "wolves": "wolf",
-    "knives": "knife",
-    "shelves": "shelf",
-    "loaves": "loaf",
-}
-SAME = frozenset({"sheep", "deer", "fish", "cattle", "livestock", "staff", "personnel", "poultry", "ones"})
-
-
-def is_plural(name: str) -> bool:
-    """Whether the noun looks like more than one."""
-    last = name.lower().split()[-1]
-    men = last.endswith("men") and len(last) > 5
-    return (
-        last in _IRREGULAR
-        or last in SAME
-        or men
-        or (last.endswith("s") and not last.endswith(("ss", "us", "is", "'s")) and last not in _SINGULAR)
-    )
-
-
-def singular(noun: str) -> str:
-    """The noun for one of several: crates, crate; boxes, box; children, child."""
-    if noun in _IRREGULAR:
-        return _IRREGULAR[noun]
-    if noun.endswith("men") and len(noun) > 5:
-        return noun[:-3] + "man"
-    if noun.endswith("ies") and len(noun) > 4:
-        return noun[:-3] + "y"
-    if noun.endswith(("ses", "xes", "ches", "shes", "zes")) and kind_of(noun[:-1]) is None:
-        return noun[:-2]
-    return noun[:-1] if is_plural(noun) and noun.endswith("s") else noun
-
-
-def plural(noun: str) -> str:
-    """The noun for several of one: crate, crates; box, boxes; child, children."""
-    back = {one: many for many, one in _IRREGULAR.items()}
-    if noun in back or is_plural(noun):
-        return back.get(noun, noun)
-    if noun.endswith("man") and len(noun) > 5:
-        return noun[:-3] + "men"
-    if noun.endswith("y") and noun[-2:-1] not in "aeiou":
-        return noun[:-1] + "ies"
-    return noun + ("es" if noun.endswith(("s", "x", "ch", "sh", "z")) else "s")
 
 
 def is_letter(word: Word) -> bool:

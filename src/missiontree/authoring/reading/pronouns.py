@@ -6,7 +6,8 @@ from collections.abc import Collection, Iterable, Sequence
 
 from missiontree.authoring.language.lexicon import phrases_of
 from missiontree.authoring.methods.mention import Mention, UnclearError
-from missiontree.authoring.reading.phrases import SAME, Phrase
+from missiontree.authoring.reading.phrase import Phrase
+from missiontree.authoring.reading.plurals import SAME
 
 _INFANTS = frozenset({"child", "baby", "infant", "toddler"})  # may be "it"
 Groups = Sequence[tuple[Mention, ...]]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from missiontree.authoring.language.kinds import kind_of
-from missiontree.authoring.reading.clauses import Word
+from missiontree.authoring.reading.words import Word
 
 MAX_COUNT = 20
 NUMBERS: Mapping[str, int] = MappingProxyType(

@@ -9,7 +9,8 @@ from missiontree.authoring.language.lexicon import Lexicon
 from missiontree.authoring.methods.mention import UnclearError
 from missiontree.authoring.methods.outline import Outline
 from missiontree.authoring.reading.advice import RobotAdvice
-from missiontree.authoring.reading.phrases import Phrase, PhraseReader
+from missiontree.authoring.reading.phrase import Phrase
+from missiontree.authoring.reading.phrases import PhraseReader
 from missiontree.authoring.reading.places import stands_at
 from missiontree.authoring.reading.remarks import Read, Said
 from missiontree.mission.scene import Scene

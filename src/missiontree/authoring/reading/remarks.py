@@ -9,8 +9,8 @@ from missiontree.authoring.methods.mention import Mention
 from missiontree.authoring.methods.method import Method
 from missiontree.authoring.methods.outline import Outline, fill
 from missiontree.authoring.reading.candidates import Candidate
-from missiontree.authoring.reading.clauses import Clause
-from missiontree.authoring.reading.phrases import Phrase
+from missiontree.authoring.reading.clause import Clause
+from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.places import place_said, stands_at
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from missiontree.authoring.language.lexicon import Lexicon, PhraseTable, phrase_table
-from missiontree.authoring.reading.clauses import MARK, Clause, Word, words_of_text
+from missiontree.authoring.reading.clause import Clause
+from missiontree.authoring.reading.words import MARK, Word, words_of_text
 from missiontree.mission.fleet import Fleet
 
 _WITH = phrase_table("robots", "with")

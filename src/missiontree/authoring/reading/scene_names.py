@@ -6,8 +6,9 @@ from dataclasses import dataclass, replace
 
 from missiontree.authoring.matching import is_misspelt, listed
 from missiontree.authoring.methods.mention import UnclearError
-from missiontree.authoring.reading.phrases import Phrase, is_plural, kind_of_phrase, singular
+from missiontree.authoring.reading.phrase import Phrase, kind_of_phrase
 from missiontree.authoring.reading.places import is_designation, place_said, plain, spellings, stands_at
+from missiontree.authoring.reading.plurals import is_plural, singular
 from missiontree.mission.entity import Entity
 from missiontree.mission.scene import Scene
 

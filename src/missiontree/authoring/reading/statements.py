@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from missiontree.authoring.language.lexicon import Lexicon, phrases_of
-from missiontree.authoring.reading.clauses import Clause, Word
-from missiontree.authoring.reading.phrases import Phrase, PhraseReader
+from missiontree.authoring.reading.clause import Clause
+from missiontree.authoring.reading.phrase import Phrase
+from missiontree.authoring.reading.phrases import PhraseReader
+from missiontree.authoring.reading.words import Word
 
 _IS = frozenset({"is", "are", "has", "have"})
 MOST_BEFORE = 5

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from missiontree.authoring.language.lexicon import Lexicon
-from missiontree.authoring.reading.clauses import Clause
+from missiontree.authoring.reading.clause import Clause
 
 _JOINED = frozenset({"and", "then"})
 _GOING_ON = frozenset({"bring", "transport", "guide", "evacuate"})

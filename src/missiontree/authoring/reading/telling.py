@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 
 from missiontree.authoring.methods.mention import Mention, UnclearError
 from missiontree.authoring.methods.outline import Outline
-from missiontree.authoring.reading.clauses import Clause
+from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.hearing import Hearing
 from missiontree.authoring.reading.outcomes import Goal, Trouble, trouble
-from missiontree.authoring.reading.phrases import Phrase
+from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.statements import Statement, danger_of, feeling_of, place_of, site_of, statement_of
 from missiontree.mission.reason import Reason
 

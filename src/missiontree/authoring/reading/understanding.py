@@ -11,7 +11,7 @@ from missiontree.authoring.methods.mention import UnclearError
 from missiontree.authoring.methods.outline import NobodyError, StepError
 from missiontree.authoring.reading.candidates import Candidate, candidates
 from missiontree.authoring.reading.choosing import both_of, choice_of
-from missiontree.authoring.reading.clauses import Clause, Word
+from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.coordination import Cut, choices, gaps, has_choice
 from missiontree.authoring.reading.entities import Speakers
 from missiontree.authoring.reading.fitting import Fitting
@@ -27,6 +27,7 @@ from missiontree.authoring.reading.wording import (
     receiver_behind,
     without_message,
 )
+from missiontree.authoring.reading.words import Word
 
 
 @dataclass

@@ -6,8 +6,9 @@ from dataclasses import replace
 
 from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.language.lexicon import Lexicon, phrases_of
-from missiontree.authoring.reading.clauses import Clause, Word
+from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.phrases import PhraseReader
+from missiontree.authoring.reading.words import Word
 
 _NEEDS = phrases_of("statements", "needs")
 _PLACE = frozenset({"place"})

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from missiontree.authoring.language.lexicon import Lexicon, Verb
-from missiontree.authoring.reading.clauses import Clause, Word
+from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.phrases import PhraseReader
+from missiontree.authoring.reading.words import Word
 
 TO = "to|into|onto|toward|towards"
 ANY = f"{TO}|at|in|on|from|with|for|inside|near|against|under|over|around|between|about|by"
