@@ -13,7 +13,7 @@ from missiontree.authoring.outcome import Authored
 from missiontree.authoring.transcript import replay
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.entity import Entity
-from missiontree.mission.fleet import Fleet
+from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.goal import Goal, in_words
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
@@ -239,6 +239,88 @@ def test_whom_the_scene_does_not_have_is_refused(fleet: Fleet, name: str, rule: 
     made = author_formal(brief(fleet, goal(do=f"Reach({name})"), scene=SCENE))
     assert [reason.rule for reason in made.reasons] == [rule]
     assert words in f"{made.reasons[0].message} {made.reasons[0].hint}"
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("it", "'it' is a pronoun"),
+        ("everyone", "'everyone' is a pronoun"),
+        ("happiness", "is nothing that a robot can find, reach or carry"),
+        ("the dog and the cat", "holds 'and'"),
+        ("dog or cat", "holds 'or'"),
+        ("everyone but Anna", "holds 'but'"),
+        ("her dog", "begins with 'her'"),
+        ("two dogs", "begins with 'two'"),
+        ("the old grey barn by the river", "has 6 words; a name has at most 5"),
+    ],
+)
+def test_without_a_scene_only_a_plain_name_introduces_somebody(fleet: Fleet, name: str, words: str) -> None:
+    made = author_formal(brief(fleet, goal(do=f"Reach({name})")))
+    assert (made.status, [reason.rule for reason in made.reasons]) == ("incomplete", ["no_plain_name"])
+    assert words in made.reasons[0].message
+    assert "declare it under entities" in made.reasons[0].hint
+    declared = (Entity(id="somebody", kind="person", label=name),)
+    assert author_formal(brief(fleet, goal(do=f"Reach({name})"), entities=declared)).status == "complete"
+
+
+def test_a_comma_in_a_slot_is_no_plain_name_and_an_article_is_none_of_it(fleet: Fleet) -> None:
+    made = author_formal(brief(fleet, goal(method="rescue", slots={"victim": "Anna, Tom"})))
+    assert [reason.rule for reason in made.reasons] == ["no_plain_name"]
+    made = author_formal(brief(fleet, goal(do="Reach(the dog)"), goal(do="Search(a cat)")))
+    assert calls(made.tree) == ["Reach(dog)", "Search(cat)"]
+
+
+@pytest.mark.parametrize("name", ["tele_robot", "Tele-Robot", "the mobile scooters", "robot"])
+@pytest.mark.parametrize("scene", [None, SCENE])
+def test_a_robot_is_nobody_to_whom_something_is_done(fleet: Fleet, name: str, scene: Scene | None) -> None:
+    made = author_formal(brief(fleet, goal(do=f"Search({name})"), scene=scene))
+    assert [reason.rule for reason in made.reasons] == ["names_a_robot"]
+    assert "by: [type]" in made.reasons[0].hint
+
+
+def test_a_single_robot_is_refused_as_one_of_its_type(fleet: Fleet) -> None:
+    spot = RobotType(id="walker", label="Walker", capabilities=fleet.types[0].capabilities, robots=(Robot(id="spot"),))
+    made = author_formal(brief(Fleet(types=(*fleet.types, spot)), goal(do="Search(spot)")))
+    assert "'spot' is one robot of the type Walker" in made.reasons[0].message
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        goal(do="ReachAndTransport(box, The Box)"),
+        goal(method="reunite", slots={"lost": "Anna", "keeper": "anna"}),
+        goal(method="evacuate_to", slots={"victim": ["Anna", "depot"], "place": "depot"}),
+    ],
+)
+def test_nothing_is_brought_to_itself(fleet: Fleet, asked: Goal) -> None:
+    made = author_formal(brief(fleet, asked))
+    assert [reason.rule for reason in made.reasons] == ["same_entity_twice"]
+    assert "twice" in made.reasons[0].message
+
+
+def choice(**second: Any) -> Goal:
+    return goal(
+        task="Look", gate="xor", name="look", goals=[goal(do="Search(keys)", name="a"), goal(do="Reach(cow)", **second)]
+    )
+
+
+@pytest.mark.parametrize(
+    ("goals", "rule", "words"),
+    [
+        ([choice(), goal(do="Reach(dog)", after=["a"])], "link_may_not_bind", "starts after 'Search(keys)' only if"),
+        ([choice(), goal(do="Follow(dog)", until="a")], "link_may_not_bind", "lasts until 'Search(keys)' only if"),
+        ([choice(after=["a"])], "link_never_binds", "options of one choice"),
+        ([choice(), goal(do="Reach(dog)", after=["look"])], "", ""),
+        ([choice(after=["b"]), goal(do="Search(dog)", name="b")], "", ""),
+    ],
+)
+def test_a_link_to_an_option_is_told(fleet: Fleet, goals: list[Goal], rule: str, words: str) -> None:
+    made = author_formal(brief(fleet, *goals))
+    assert made.status == "complete", made.reasons
+    told = [notice for notice in made.notices if notice.rule.startswith("link_")]
+    assert [notice.rule for notice in told] == ([rule] if rule else [])
+    assert all(words in notice.message for notice in told)
 
 
 def test_what_the_builder_refuses_is_told_in_its_words(fleet: Fleet) -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from missiontree.cli.exits import Exit
 from missiontree.formats.document import read_file
 from missiontree.mission.goal import Goal
@@ -55,6 +57,32 @@ def test_a_goal_that_no_method_serves_is_incomplete_and_a_circle_is_bad_input(sh
     assert ran.code == Exit.BAD_INPUT
     assert "mission.yaml:3" in ran.err
     assert "circle" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("goal", "words"),
+    [
+        ('{do: "Search(cow); Reach(gate)"}', "a name in a goal has no ')'"),
+        ("{do: Search(keys), by: []}", "leave it out to allow all"),
+    ],
+)
+def test_a_goal_that_is_no_goal_is_bad_input_with_its_line(shell: Shell, goal: str, words: str) -> None:
+    Path("mission.yaml").write_text(f"goals:\n- {{do: Reach(a)}}\n- {goal}\n", encoding="utf-8")
+    ran = shell("plan")
+    assert ran.code == Exit.BAD_INPUT
+    assert "mission.yaml:3" in ran.err
+    assert words in " ".join(ran.err.split())
+
+
+def test_a_link_to_an_option_is_told(shell: Shell) -> None:
+    text = """goals:
+- {task: Look, gate: xor, goals: [{do: Search(keys), name: a}, {do: Reach(cow)}]}
+- {do: Follow(dog), until: a}
+"""
+    Path("mission.yaml").write_text(text, encoding="utf-8")
+    ran = shell("plan")
+    assert ran.code == Exit.DELIVERED
+    assert "only if that option of 'Look' is taken" in " ".join(ran.out.split())
 
 
 def test_a_robot_type_that_the_fleet_does_not_have_is_bad_input(shell: Shell) -> None:

@@ -12,6 +12,7 @@ from itertools import product
 from missiontree.authoring.building import built
 from missiontree.authoring.composing.composing import composed
 from missiontree.authoring.composing.composition import Composition
+from missiontree.authoring.conditional import conditional_links
 from missiontree.authoring.desk import Desk
 from missiontree.authoring.methods.method import MethodLibrary, built_in_methods
 from missiontree.authoring.methods.outline import NobodyError, Piece
@@ -54,6 +55,7 @@ def author_formal(brief: MissionBrief, methods: MethodLibrary | None = None) -> 
     calls = {piece: [leaf.call for leaf in piece.leaves] for link in links for piece in link[:2]}
     made = composed(goals, brief.routines)
     _stand_in(made, links, calls)
+    made.notices += conditional_links(brief.goals)
     return built(desk, made, [assumption for goal in goals for assumption in goal.assumptions])
 
 

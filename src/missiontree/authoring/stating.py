@@ -2,28 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable
+from dataclasses import dataclass, field
 
-from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.language.lexicon import Lexicon
-from missiontree.authoring.matching import did_you_mean, listed, quoted, words_of
+from missiontree.authoring.matching import did_you_mean, listed, quoted
 from missiontree.authoring.methods.mention import Mention, UnclearError, title
 from missiontree.authoring.methods.method import RESPONDER, Method, MethodLibrary
 from missiontree.authoring.methods.outline import Outline, Piece, StepError, fill, leaf_of, outline_of, restrict
 from missiontree.authoring.reading import outcomes
 from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.entities import Speakers
-from missiontree.authoring.reading.phrase import Phrase, kind_of_phrase
 from missiontree.authoring.reading.remarks import assumed, unused_words
 from missiontree.authoring.reading.words import Word
+from missiontree.authoring.stated_names import StatedNames, UnknownNameError
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.goal import Goal
 from missiontree.mission.pattern import Form
 from missiontree.mission.reason import Reason
 from missiontree.mission.tree import LinkKind
 
-_ARTICLES = frozenset({"the", "a", "an"})
 Bindings = dict[str, tuple[Mention, ...]]
 Placed = tuple[Goal, list[Piece], Outline]
 
@@ -63,6 +61,7 @@ class Statements:
     def __post_init__(self) -> None:
         self._speakers = Speakers(self.brief.world, complete=self.brief.scene is not None)
         self._lexicon = Lexicon()
+        self._names = StatedNames(self.brief, self._speakers, self._lexicon)
         self._methods = {method.id: method for method in self.library.methods}
 
     def understood(self, goal: Goal, place: str) -> outcomes.Goal:
@@ -149,7 +148,9 @@ class Statements:
             raise _refused("wrong_arguments", goal, place, detail, f"Write {routine.id}({', '.join(takes)}).")
         mentions = tuple(self._mention(name, goal, place) for name in goal.arguments)
         about = ", ".join(f"{name} = {mention.label}" for name, mention in zip(takes, mentions, strict=True))
-        return [leaf_of(routine, mentions)], f"routine {routine.id}; {about}"
+        leaf = leaf_of(routine, mentions)
+        self._refuse_itself([leaf], goal, place)
+        return [leaf], f"routine {routine.id}; {about}"
 
     def _by_method(self, goal: Goal, place: str, outline: Outline) -> tuple[list[Piece], str, str]:
         method = self._methods.get(goal.method or "")
@@ -163,7 +164,7 @@ class Statements:
         for slot, conditions in method.where.items():
             if slot in said:
                 self._check_condition(slot, conditions, said, goal, place)
-        hazards = [hazard for name in goal.entities for hazard in self._hazards(name)]
+        hazards = [hazard for name in goal.entities for hazard in self._names.hazards(name)]
         try:
             made = outline_of(method, self._completed(method, said, hazards), self.brief.routines, self.brief.fleet)
         except (StepError, UnclearError) as error:
@@ -173,10 +174,13 @@ class Statements:
             raise _refused(
                 "method_unfit", goal, place, f"method {method.id} has nothing to do for them", "Leave it out."
             )
+        self._refuse_itself(made.pieces, goal, place)
         outline.links += made.links
         told = dict.fromkeys(said, ())
         remarks = unused_words(made, told, said, self._lexicon, self.brief.world)
-        dangers = {mention.label for group in said.values() for mention in group if self._is_hazard(mention.label)}
+        dangers = {
+            mention.label for group in said.values() for mention in group if self._names.is_hazard(mention.label)
+        }
         self._assumptions += [remark for remark in remarks if remark.node not in dangers]
         self._assumptions += assumed(method, said)
         about = ", ".join(f"{slot} = {' and '.join(m.label for m in said[slot])}" for slot in said)
@@ -206,7 +210,9 @@ class Statements:
     def _check_condition(self, slot: str, conditions: Iterable[str], said: Bindings, goal: Goal, place: str) -> None:
         """What a method asks of a slot, as the words of a mission are asked."""
         holds = (
-            {"hazard"} if any(map(self._is_hazard, goal.filling(slot))) else {mention.kind for mention in said[slot]}
+            {"hazard"}
+            if any(map(self._names.is_hazard, goal.filling(slot)))
+            else {mention.kind for mention in said[slot]}
         )
         if any(mention.to_be_found for mention in said[slot]):
             holds.add("lost")
@@ -227,37 +233,21 @@ class Statements:
         complete.setdefault(RESPONDER, tuple(self._speakers.implied(name, "person") for name in called))
         return complete
 
-    def _hazards(self, name: str) -> Iterator[str]:
-        return (hazard for hazard, _, _ in self._lexicon.hazard_words.within(words_of(name)))
-
-    def _is_hazard(self, name: str) -> bool:
-        """Whether a name is that of a hazard: a gas leak is one, a fire station is not."""
-        words = words_of(name)
-        return any(start + length == len(words) for _, start, length in self._lexicon.hazard_words.within(words))
-
     def _mention(self, written: str, goal: Goal, place: str) -> Mention:
-        """Who is meant by an id or a label; without a scene, somebody of the kind that the noun says."""
-        words = written.split()
-        article = len(words) > 1 and words[0].lower() in _ARTICLES
-        name = " ".join(words[article:])
-        noun = kind_of(name) is not None and name.islower()
-        kind = kind_of_phrase(Phrase(name=name, text=name, determined=article)) or "object"
         try:
-            mention = self._speakers.implied(name, kind, (written,))
-        except UnclearError as error:
-            raise _refused("ambiguous_name", goal, place, str(error), "Use the id.") from error
-        if mention.new and self.brief.scene is not None and not self._is_hazard(name):
-            world = self.brief.world
-            hint = did_you_mean(
-                name, [spelling for e in world.all_entities for spelling in (e.id, e.label, *e.aliases)]
-            )
-            known = f"Known are: {listed(entity.label for entity in world.all_entities)}."
-            way_out = "Or declare it under entities: in the mission file or in the scene."
-            detail = f"the scene has no {quoted(name)}"
-            raise _refused("unknown_entity", goal, place, detail, f"{hint} {known} {way_out}".strip())
-        if mention.new:
-            mention = replace(mention, name=title(name), label=title(name), full=title(name))
-        return replace(mention, determined=article or noun)
+            return self._names.mention(written)
+        except UnknownNameError as unknown:
+            raise _refused(unknown.rule, goal, place, unknown.detail, unknown.hint) from unknown
+
+    def _refuse_itself(self, pieces: list[Piece], goal: Goal, place: str) -> None:
+        """Nothing is brought to itself."""
+        for leaf in (leaf for piece in pieces for leaf in piece.leaves):
+            names = [mention.name for mention in leaf.mentions]
+            if twice := next((m.label for m in leaf.mentions if names.count(m.name) > 1), ""):
+                detail = f"{leaf.label} is about {twice} twice"
+                raise _refused(
+                    "same_entity_twice", goal, place, detail, "Name somebody or something else for one of them."
+                )
 
 
 def _refused(rule: str, goal: Goal, place: str, detail: str, hint: str) -> _RefusedError:

@@ -24,16 +24,17 @@ MISSION = Path("mission.yaml")
 def command(
     plan: Annotated[Path, typer.Argument(help="A plan file, or a tree file.")],
     method_id: Annotated[
-        str, typer.Option("--as", metavar="ID", help="Id of the method. Default: learned_ and the mission's verb.")
-    ] = "",
+        str | None,
+        typer.Option("--as", metavar="ID", help="Id of the method. Default: learned_ and the mission's verb."),
+    ] = None,
     says: Annotated[
-        str,
+        str | None,
         typer.Option(
             "--says",
             metavar="PATTERN",
             help="The pattern, such as 'rescue {anna} from {barn}'. Default: the mission's own words.",
         ),
-    ] = "",
+    ] = None,
     out: Annotated[
         Path | None,
         typer.Option("--out", metavar="FILE", help="Add the method to this file of methods, which is made if need be."),
@@ -46,11 +47,15 @@ def command(
     from missiontree.authoring.learning.writing import added, methods_text
     from missiontree.authoring.methods.method import load_methods
 
-    if method_id:
+    if method_id is not None:
         _check_id(method_id)
+    if says is not None and not says.strip():
+        raise InputError(
+            "--says '' is no pattern", accepted="words such as 'rescue {anna} from {barn}'", hint="Or leave it out."
+        )
     tree, brief = _source(plan)
     files = _listed()
-    method = method_from(tree, brief, load_methods(files), method_id, says)
+    method = method_from(tree, brief, load_methods(files), method_id or "", says or "")
     if out is None:
         typer.echo(methods_text(method), nl=False)
         place = "the file that you put this into"

@@ -76,7 +76,7 @@ class MissionBrief(Value):
         restricted = [("keep-out " + area.id, area.types) for area in world.keep_outs]
         restricted += [(f"road {road.ends[0]} - {road.ends[1]}", road.types) for road in (roads.roads if roads else ())]
         restricted += [(f"lift {lift.id}", lift.types) for lift in (roads.lifts if roads else ())]
-        restricted += [(f"goal {goal.shown!r}", (*goal.by, *goal.not_by)) for goal in all_goals(self.goals)]
+        restricted += [(f"goal {goal.shown!r}", (*(goal.by or ()), *goal.not_by)) for goal in all_goals(self.goals)]
         for what, types in restricted:
             for name in types or ():
                 if name not in self.fleet.by_id:

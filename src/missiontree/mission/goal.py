@@ -11,6 +11,7 @@ from missiontree.mission.tree import Gate
 from missiontree.mission.value import Id, Value, require_unique
 
 _CALL = re.compile(r"\s*([A-Za-z][A-Za-z0-9_-]*)\s*\((.*)\)\s*", re.DOTALL)
+_NO_NAME = frozenset("()[]{};")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,7 +54,7 @@ class Goal(Value):
     name: str = ""
     after: tuple[str, ...] = ()
     until: str = ""
-    by: tuple[Id, ...] = ()
+    by: tuple[Id, ...] | None = None
     not_by: tuple[Id, ...] = ()
 
     def _check(self) -> None:
@@ -71,7 +72,9 @@ class Goal(Value):
         for slot in self.slots:
             if not self.filling(slot) or not all(name.strip() for name in self.filling(slot)):
                 raise ValueError(f"the slot {slot!r} is filled with nothing; leave it out.")
-        if both := [kind for kind in self.by if kind in self.not_by]:
+        if self.by is not None and not self.by:
+            raise ValueError(f"the goal {self.shown!r} allows no robot type by 'by'; leave it out to allow all.")
+        if both := [kind for kind in self.by or () if kind in self.not_by]:
             raise ValueError(f"the goal {self.shown!r} is for robot type {both[0]!r} by 'by' and not by 'not_by'.")
 
     def _freeze_slots(self) -> None:
@@ -89,6 +92,12 @@ class Goal(Value):
         found = _CALL.fullmatch(self.do)
         if found is None or not all(part.strip() for part in found[2].split(",")):
             raise ValueError(f"{self.do!r} is not of the form Routine(entity) or Routine(entity, entity).")
+        for name in self.arguments:
+            if strange := next((sign for sign in name if sign in _NO_NAME), ""):
+                raise ValueError(
+                    f"{self.do!r} names {name!r}, and a name in a goal has no {strange!r}; write one routine for each goal, "
+                    f"and whoever is called so by id."
+                )
 
     @property
     def routine(self) -> str:

@@ -60,7 +60,13 @@ def _expand(pattern: str) -> list[Form]:
         elif slot:
             choices.append([(Element("slot", slot),)])
         elif either:
-            choices.append([form for part in either.split("|") for form in _expand(part)])
+            words = [part.strip().lower() for part in either.split("|")]
+            plain = all(part.isalpha() and part != "and" for part in words) and any(
+                e.kind != "word" for e in _first(choices)
+            )
+            # Behind a verb the nearest of the words decides where a slot ends.
+            one: list[Form] = [(Element("word", "|".join(words)),)]
+            choices.append(one if plain else [form for part in either.split("|") for form in _expand(part)])
         elif optional:
             choices.append([*_expand(optional), ()])
         else:
@@ -69,6 +75,11 @@ def _expand(pattern: str) -> list[Form]:
         if count > MAX_FORMS:
             raise ValueError(f"the pattern {pattern!r} has more than {MAX_FORMS} forms; write several patterns.")
     return [tuple(element for part in parts for element in part) for parts in product(*choices)]
+
+
+def _first(choices: list[list[Form]]) -> Form:
+    """The elements so far, with the first of each choice."""
+    return tuple(element for forms in choices for element in (forms[0] if forms else ()))
 
 
 def first_words(form: Form) -> str:

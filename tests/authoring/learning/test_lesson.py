@@ -21,6 +21,7 @@ from missiontree.mission.brief import MissionBrief
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.position import Position
+from missiontree.mission.routine import Routine, RoutineLibrary
 from missiontree.mission.scene import Scene
 from missiontree.mission.tree import Link, MissionNode, MissionTree
 from missiontree.routines.library import built_in
@@ -123,6 +124,7 @@ methods:
       people_of_place: {name: 'People of {place}', kind: person}
       safe_area: {name: Safe Area, kind: place}
     steps:
+    - {do: Search(responder)}
     - task: Keep {the animal} in Sight
       until: bring_people_of_place_to_safety
       steps:
@@ -163,6 +165,171 @@ def test_a_search_is_spared_where_a_scene_knows_more(fleet: Fleet) -> None:
     assert [node.routine for node in made.tree.nodes if node.routine] == ["ReachAndTransport"]
     # With nothing else to be done, the search is all there is and stays.
     assert not learn(brief(fleet, "Find Tom"))[1].steps[0].unless_known
+
+
+def own(routine: str, verb: str, like: str) -> Routine:
+    return replace(built_in().by_id[like], id=routine, verbs=(verb,))
+
+
+OWN = RoutineLibrary(
+    routines=(
+        *built_in().routines,
+        own("SwitchOn", "switch on", "Reach"),
+        own("Load", "load", "Transport"),
+        own("Push", "push", "Reach"),
+        own("Weigh", "weigh", "Reach"),
+    )
+)
+
+
+def calls(made: Authored) -> list[str]:
+    assert made.tree is not None, made.reasons
+    return [node.label for node in made.tree.nodes if node.routine is not None]
+
+
+@pytest.mark.parametrize(
+    ("words", "says", "opposite"),
+    [
+        ("Switch on the lamp", "switch on {object}", "Switch off the lamp"),
+        ("Load the hay onto the truck", "load {object} onto {object_2}", "Unload the hay onto the truck"),
+        ("Push the cart", "push {object}", "Pull the cart"),
+    ],
+)
+def test_a_verb_that_only_a_routine_of_the_users_own_serves_stays_a_word(
+    fleet: Fleet, words: str, says: str, opposite: str
+) -> None:
+    """The lexicon groups a verb with its opposite where nothing built in tells them apart."""
+    mission = replace(brief(fleet, words), routines=OWN)
+    _, method = learn(mission)
+    assert method.says == (says,)
+    assert planned(replace(mission, text=opposite), method).status != "complete"
+
+
+@pytest.mark.parametrize("words", ["Weigh the lost calf", "The calf is lost. Weigh it."])
+def test_whoever_is_called_lost_is_lost_in_the_method(fleet: Fleet, words: str) -> None:
+    mission = replace(brief(fleet, words), routines=OWN)
+    says = "" if words.startswith("Weigh") else "weigh {animal}"
+    _, method = learn(mission, says=says)
+    assert method.where == {"animal": ("lost",)}
+    assert calls(planned(replace(mission, text="Weigh the lost cow"), method)) == ["Search(Cow)", "Weigh(Cow)"]
+    assert calls(planned(replace(mission, text="Weigh the cow"), method)) == ["Weigh(Cow)"]
+
+
+def test_a_lost_one_is_still_lost_in_words_made_for_a_pattern(fleet: Fleet) -> None:
+    _, method = learn(
+        brief(fleet, "Find the lost keys, then bring them to Anna"), says="make sure that {anna} has {keys}"
+    )
+    assert method.where["keys"] == ("lost",)
+    assert calls(planned(brief(fleet, "Make sure that Tom has the lost wallet"), method))[0] == "Search(Wallet)"
+    assert calls(planned(brief(fleet, "Make sure that Tom has the wallet"), method)) == [
+        "ReachAndTransport(Wallet, Tom)"
+    ]
+
+
+def test_a_choice_stays_one_choice_if_a_slot_holds_several(fleet: Fleet) -> None:
+    """Two ways, each with both things in it; not one of four errands."""
+    _, method = learn(brief(fleet, "Bring the parcel to Anna or Bob"))
+    made = planned(brief(fleet, "Bring the crate and the box to Anna or Bob"), method)
+    assert made.tree is not None
+    assert f"method {method.id}," in made.reading[0]
+    choice = next(node for node in made.tree.nodes if node.gate == "xor")
+    assert [len(made.tree.by_id[option].children) for option in choice.children] == [2, 2]
+    assert {made.tree.by_id[option].gate for option in choice.children} == {"and"}
+
+
+@pytest.mark.parametrize(
+    ("words", "says", "others", "count"),
+    [
+        (
+            "Bring the crate, the box and the bag to the depot",
+            "<bring> {object} to {place}",
+            "Bring the jar to the hall",
+            1,
+        ),
+        ("Find the keys and the dog", "<search> {object}", "Find the ring, the cat and the cup", 3),
+        ("Rescue Anna and Tom from the barn", "<rescue> {person} from {place}", "Rescue Bob from the mill", 2),
+        ("Evacuate the school and the hotel", "<evacuate> {place}", "Evacuate the mill", 1),
+        ("Bring both Anna and Tom to the hall", "<bring> {person} to {place}", "Bring Bob to the hall", 1),
+    ],
+)
+def test_a_list_with_each_of_which_the_same_is_done_is_one_slot(
+    fleet: Fleet, words: str, says: str, others: str, count: int
+) -> None:
+    _, method = learn(brief(fleet, words))
+    assert method.says == (says,)
+    made = planned(brief(fleet, others), method)
+    assert f"method {method.id}," in made.reading[0]
+    assert len(calls(made)) == count
+
+
+def test_two_with_whom_different_things_are_done_stay_two_and_a_list_of_such_is_refused(fleet: Fleet) -> None:
+    _, method = learn(brief(fleet, "Reunite mom and her child"))
+    assert method.says == ("<reunite> {person} and {person_2}",)
+    words = "Follow the cat, the dog and the hen"
+    hen = Entity(id="hen", kind="animal", label="Hen")
+    tree = tree_of(
+        words, leaf("a", "Follow", agent="cat"), leaf("b", "Reach", agent="dog"), leaf("c", "Reach", agent="hen")
+    )
+    tree = replace(tree, entities=(*tree.entities, hen))
+    with pytest.raises(InputError, match="'the cat, the dog and the hen' is a list"):
+        method_from(tree, brief(fleet, words), built_in_methods())
+
+
+@pytest.mark.parametrize(("parts", "alike"), [(["Reach"], True), (["Search", "Reach"], False)])
+def test_tasks_that_do_the_same_with_each_of_a_list_are_one_task(fleet: Fleet, parts: list[str], alike: bool) -> None:
+    """As one step they come again as one task; two tasks of two would be one of four, another structure, which is said."""
+    words = "Check the cat and the dog"
+    nodes = [MissionNode(id="all", label=words, gate="and", children=("see-cat", "see-dog"))]
+    for who in ("cat", "dog"):
+        below = [leaf(f"{part}-{who}", part, agent=who) for part in parts]
+        ids = tuple(node.id for node in below)
+        nodes += [MissionNode(id=f"see-{who}", label=f"See the {who.title()}", gate="and", children=ids), *below]
+    tree = replace(tree_of(words), nodes=tuple(nodes))
+    if alike:
+        (step,) = method_from(tree, brief(fleet, words), built_in_methods()).steps
+        assert (step.task, step.steps) == ("See {the animal}", (Step(do="Reach(animal)"),))
+    else:
+        with pytest.raises(InputError, match="does not give the tree again"):
+            method_from(tree, brief(fleet, words), built_in_methods())
+
+
+def test_what_is_numbered_is_refused_with_a_way_out(fleet: Fleet) -> None:
+    with pytest.raises(InputError, match="'the three crates' names several at once") as caught:
+        learn(brief(fleet, "Bring the three crates to the depot"))
+    assert "its slot may then hold several" in str(caught.value)
+    _, method = learn(brief(fleet, "Bring the crate to the depot"))
+    made = planned(brief(fleet, "Bring the three boxes to the depot"), method)
+    assert calls(made) == [f"ReachAndTransport(Box {number}, Depot)" for number in (1, 2, 3)]
+
+
+def test_somebody_is_called_for_a_hazard_that_only_a_later_mission_names(fleet: Fleet) -> None:
+    _, method = learn(brief(fleet, "Evacuate the school"))
+    assert method.steps[0] == Step(do="Search(responder)")
+    assert calls(planned(brief(fleet, "Evacuate the burning mill"), method))[0] == "Search(Firefighter)"
+    assert len(calls(planned(brief(fleet, "Evacuate the mill"), method))) == 1
+    assert learn(brief(fleet, "Bring the parcel to the hall"))[1].steps[0] != Step(do="Search(responder)")
+
+
+def test_where_it_goes_is_a_word_if_the_tree_goes_elsewhere(fleet: Fleet) -> None:
+    """The tree goes to a safe area, which is nobody's name for the barn."""
+    _, method = learn(brief(fleet, "Bring Anna to safety"))
+    assert method.says == ("<bring> {person} to safety",)
+    made = planned(brief(fleet, "Bring Anna to the barn"), method)
+    assert calls(made) == ["ReachAndTransport(Anna, Barn)"]
+
+
+@pytest.mark.parametrize("words", ["Warn Anna", "Warn Anna with the social robot"])
+def test_robots_that_a_method_chooses_by_what_they_can_do_are_chosen_so_again(fleet: Fleet, words: str) -> None:
+    _, method = learn(brief(fleet, words))
+    assert method.steps == (Step(do="Reach(person)", capability="message_display"),)
+    made = planned(brief(fleet, "Warn Bob"), method)
+    assert made.tree is not None
+    assert made.tree.nodes[-1].resources == ("social_robot",)
+
+
+def test_the_id_of_a_built_in_method_is_refused(fleet: Fleet) -> None:
+    with pytest.raises(InputError, match="'rescue' is the id of a built-in method"):
+        learn(brief(fleet, "Find the keys"), method_id="rescue")
 
 
 GUARD = "Guard the museum against the thief"
@@ -207,6 +374,10 @@ def test_a_tree_that_a_model_built_is_learned_with_its_choice_its_until_and_its_
     assert made.tree is not None
     method = method_from(made.tree, mission, built_in_methods())
     watch, fetch = method.steps
+    assert [option.task for option in fetch.steps] == [
+        "Reach and transport {the night_watchman}, {the place}",
+        "Reach {the place}",
+    ]
     assert (watch.task, watch.until, watch.steps[0].by) == ("Watch {the person}", fetch.name, ("tele_robot",))
     assert (fetch.task, fetch.gate) == ("Bring {the night_watchman} to {the place}", "xor")
     again = planned(replace(mission, text="Guard the castle against the intruder"), method)
@@ -215,6 +386,8 @@ def test_a_tree_that_a_model_built_is_learned_with_its_choice_its_until_and_its_
     assert [node.label for node in again.tree.nodes if node.routine is None][1:] == [
         "Watch the Intruder",
         "Bring Night Watchman to the Castle",
+        "Reach and Transport Night Watchman, the Castle",
+        "Reach the Castle",
     ]
 
 

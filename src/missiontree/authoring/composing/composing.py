@@ -38,7 +38,7 @@ def composed(goals: Sequence[Goal], library: RoutineLibrary) -> Composition:
     for unit in units:
         chosen(unit, goals, tops, library, made)
     order_as_said(goals, tops, units, library, made)
-    search_first(library, made)
+    search_first(goals, library, made)
     found_before_used(library, made)
     brought_before_returned(goals, made)
     made.implied = without_implied(made.outline, made.implied)
@@ -46,12 +46,15 @@ def composed(goals: Sequence[Goal], library: RoutineLibrary) -> Composition:
 
 
 def _asked_in_full(goals: Sequence[Goal]) -> list[Goal]:
-    """The goals; of what somebody needs, nothing is left to be built if a later clause asks for the same."""
+    """The goals; nothing is left to be built of what a clause asks for again, or what somebody needs and a later clause asks for."""
     kept: list[Goal] = []
     for number, goal in enumerate(goals):
         later = {leaf.call for other in goals[number + 1 :] for piece in other.outline.pieces for leaf in piece.leaves}
         calls = {leaf.call for piece in goal.outline.pieces for leaf in piece.leaves}
-        kept.append(replace(goal, outline=Outline()) if goal.wished and calls <= later else goal)
+        before = {leaf.call for other in kept[-1:] for piece in other.outline.pieces for leaf in piece.leaves}
+        again = goal.clause.relation == "and" and bool(calls) and calls <= before
+        done = again or (goal.wished and calls <= later)
+        kept.append(replace(goal, outline=Outline()) if done else goal)
     return kept
 
 

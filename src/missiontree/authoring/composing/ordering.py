@@ -45,6 +45,9 @@ def order_as_said(
                 stage, earlier = [], stage
             elif relation == "start":
                 stage, earlier = [], []
+                openings = [number for number in range(index) if goals[number].clause.opens]
+                for number in openings:
+                    _all_before(tops[number], pieces, made)
             together = [*pieces, *beside.get(index, [])]
             _all_before(earlier, together, made)
             stage = [*stage, *together]

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from missiontree.authoring.composing.composition import EVENTS, Composition, leaves
 from missiontree.authoring.composing.standing import StandingOrder
+from missiontree.authoring.methods.mention import Mention
 from missiontree.authoring.methods.outline import Outline, Piece, found_by, leaf_of
 from missiontree.authoring.reading.outcomes import Goal
 from missiontree.mission.reason import Reason
@@ -56,7 +57,7 @@ def _taken_out(pieces: list[Piece], leaf: Piece) -> list[Piece]:
     return gone
 
 
-def search_first(library: RoutineLibrary, made: Composition) -> None:
+def search_first(goals: Sequence[Goal], library: RoutineLibrary, made: Composition) -> None:
     """A search for everybody who is lost, who is used, and whom nobody searches for."""
     everything = list(leaves(made.outline))
     search = next(
@@ -65,17 +66,49 @@ def search_first(library: RoutineLibrary, made: Composition) -> None:
     lost = dict.fromkeys(mention.name for leaf in everything for mention in leaf.mentions if mention.to_be_found)
     added = 0
     for name in lost:
-        if search is None or any(leaf.finds(name, library) for leaf in everything):
+        users = [leaf for leaf in everything if any(m.name == name for m in leaf.mentions)]
+        users = [leaf for leaf in users if not _is_found_for(leaf, name, everything, library, made.outline)]
+        if search is None or not users:
             continue
         mention = next(m for leaf in everything for m in leaf.mentions if m.name == name and m.to_be_found)
         finder = leaf_of(search, (mention,))
-        users = [leaf for leaf in everything if any(m.name == name for m in leaf.mentions)]
+        finder.resources = _standing_for(name, goals)
         if not _found_in_option(made.outline, users, finder):
             made.outline.pieces.insert(added, finder)
             added += 1
         why = "is said to be lost" if mention.lost else "is at an unknown position"
         message = f"{finder.label} was added: {mention.label} {why}."
         made.notices.append(Reason(rule="search_added", message=message, severity="notice", node=mention.name))
+
+
+def _is_found_for(
+    user: Piece, name: str, everything: Sequence[Piece], library: RoutineLibrary, outline: Outline
+) -> bool:
+    """Whether somebody is searched for whenever a leaf is done: by it, or by one that no choice takes away alone."""
+    finders = [leaf for leaf in everything if leaf.finds(name, library)]
+    return any(finder is user or _options(outline, finder) <= _options(outline, user) for finder in finders)
+
+
+def _options(outline: Outline, leaf: Piece) -> set[tuple[int, int]]:
+    """The options of choices that a leaf hangs below: by identity of the choice, and by number."""
+    choices = (piece for piece in outline.all_pieces if piece.gate == "xor" and piece.routine is None)
+    return {
+        (id(choice), number)
+        for choice in choices
+        for number, option in enumerate(choice.pieces)
+        if leaf in set(option.leaves)
+    }
+
+
+def _standing_for(name: str, goals: Sequence[Goal]) -> tuple[str, ...]:
+    """Robot types that the mission allows in all that is done with somebody; none for no restriction."""
+    about = [goal.standing for goal in goals if goal.standing and any(m.name == name for m in _mentioned(goal))]
+    both = tuple(kind for kind in about[0] if all(kind in types for types in about)) if about else ()
+    return both or (about[0] if about else ())
+
+
+def _mentioned(goal: Goal) -> list[Mention]:
+    return [mention for piece in goal.outline.pieces for leaf in piece.leaves for mention in leaf.mentions]
 
 
 def _found_in_option(outline: Outline, users: Sequence[Piece], finder: Piece) -> bool:

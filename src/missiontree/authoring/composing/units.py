@@ -41,6 +41,8 @@ def units_of(goals: Sequence[Goal], doubts: list[Reason]) -> list[Unit]:
                 doubts.append(_unclear(clause.text))
             units[-1].append([index])
             last, either = either, False
+        elif either and clause.relation == "and" and clause.listed:
+            units[-1].append([index])
         elif (last and clause.relation == "and" and not clause.pause) or (
             either and clause.relation in {"and", "then", "shares"}
         ):
@@ -50,8 +52,16 @@ def units_of(goals: Sequence[Goal], doubts: list[Reason]) -> list[Unit]:
                 doubts.append(_unclear(clause.text))
             units.append([[index]])
             last = False
-            either = clause.either
+            either = clause.either and _goes_on(goals, index)
+            if clause.either and not either and not any(word.low == "or" for word in clause.words):
+                doubts.append(_unclear(clause.text))
     return [Unit(tuple(tuple(option) for option in options)) for options in units]
+
+
+def _goes_on(goals: Sequence[Goal], index: int) -> bool:
+    """Whether a clause joined by *or* follows in the same sentence."""
+    here = goals[index].clause.sentence
+    return any(goal.clause.relation == "or" and goal.clause.sentence == here for goal in goals[index + 1 :])
 
 
 def _joined(goals: Sequence[Goal], units: Sequence[list[list[int]]]) -> bool:

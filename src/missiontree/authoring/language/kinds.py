@@ -41,6 +41,11 @@ def is_abstract(phrase: str) -> bool:
     return _found(phrase) == _ABSTRACT
 
 
+def is_listed(phrase: str) -> bool:
+    """Whether a compound stands in the list made by hand as it is: "lost property office"."""
+    return " ".join(words_of(phrase)) in _by_hand()
+
+
 def _found(phrase: str) -> str | None:
     words = words_of(phrase)
     end = next((index for index, word in enumerate(words) if index and word in _PREPOSITIONS), len(words))

@@ -9,6 +9,7 @@ from importlib import resources
 from itertools import product
 from typing import Any, Literal
 
+from missiontree.authoring.language.kinds import kind_of
 from missiontree.formats.reader import parse
 
 Form = Literal["base", "gerund", "past", "third"]
@@ -163,10 +164,40 @@ class Lexicon:
             {tuple(phrase.split()): name for name, hazard in self.hazards.items() for phrase in hazard["words"]}
         )
 
+    def hazards_in(self, words: Sequence[str]) -> list[str]:
+        """Names of the hazards that words speak of; a fire alarm is none."""
+        found = self.hazard_words.within(words)
+        return [name for name, at, length in found if not _is_part_of_a_name(words, at, length)]
+
     @cached_property
     def words(self) -> dict[str, frozenset[str]]:
         """Each list of single small words as a set."""
         return {name: frozenset(words) for name, words in self.small.items() if name not in {"joins", "format"}}
+
+
+_NOUN_HAZARDS = frozenset(
+    {
+        "fire",
+        "gas",
+        "flood",
+        "storm",
+        "smoke",
+        "bomb",
+        "avalanche",
+        "blaze",
+        "wildfire",
+        "earthquake",
+        "radiation",
+        "cliff",
+    }
+)
+
+
+def _is_part_of_a_name(words: Sequence[str], at: int, length: int) -> bool:
+    """Whether a hazard is the first part of a compound: "fire alarm", "avalanche museum", "flood of readers"."""
+    following = words[at + length : at + length + 1]
+    noun = length == 1 and words[at] in _NOUN_HAZARDS and bool(following)
+    return noun and (following[0] == "of" or following[0] in {"alarm", "drill"} or kind_of(following[0]) is not None)
 
 
 def gerund(verb: str) -> str:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Hashable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 from missiontree.authoring.language.lexicon import Lexicon
+from missiontree.authoring.learning.habits import served_goals
+from missiontree.authoring.learning.merging import Merged
 from missiontree.authoring.learning.spotting import HAZARD, Named, slot_name
 from missiontree.authoring.matching import words_of
 from missiontree.authoring.methods.method import RESPONDER, Implied, Method, Step
@@ -21,6 +23,7 @@ from missiontree.mission.tree import MissionNode, MissionTree
 
 SAYS = "Give a pattern of one clause by --says, such as --says 'rescue {person} from {place}'."
 _FIELD = re.compile(r"\{(?:the )?(?:full )?([^{}]*)\}")
+_REPEATED = re.compile(r"(\{[^{}]*\})(?:(?:,| and|, and) \1)+")
 _NOT_LITERAL = frozenset("<>{}()[]|")
 
 
@@ -43,6 +46,10 @@ class Lesson:
         Who is called for the hazards that the mission names, in small letters.
     asked
         Robot types to which the words of the mission keep, which are no part of the method.
+    able
+        Robot types by each capability that methods with the same goal ask for.
+    calls
+        Whether somebody shall be called for hazards, though this mission names none.
     """
 
     tree: MissionTree
@@ -51,6 +58,8 @@ class Lesson:
     named: tuple[Named, ...]
     called: frozenset[str] = frozenset()
     asked: frozenset[str] = frozenset()
+    able: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    calls: bool = False
 
 
 def learned(lesson: Lesson, says: str, method_id: str, purpose: str) -> Method:
@@ -78,7 +87,7 @@ def learned(lesson: Lesson, says: str, method_id: str, purpose: str) -> Method:
             id=method_id,
             purpose=purpose,
             says=(says,),
-            where={one.slot: (one.kind,) for one in lesson.named if f"{{{one.slot}}}" in says},
+            where={one.slot: one.conditions for one in lesson.named if f"{{{one.slot}}}" in says},
             implies=pupil.implies,
             steps=steps,
         )
@@ -91,7 +100,8 @@ def pattern_of(clause: Clause, named: Sequence[Named], lexicon: Lexicon) -> str:
     """
     The pattern of a clause: its verb, then its words with a slot for everybody who is named.
 
-    The verb becomes ``<goal>`` if the lexicon knows it in that one sense alone.
+    The verb becomes ``<goal>`` if the lexicon knows it in that one sense alone, and what is built in serves that: verbs that a routine of
+    the user's own brings along may ask for the opposite, as *switch on* and *switch off* do.
 
     Raises
     ------
@@ -108,7 +118,7 @@ def pattern_of(clause: Clause, named: Sequence[Named], lexicon: Lexicon) -> str:
     start = 0
     if clause.verb is not None:
         goals = lexicon.goals_of.get(clause.verb.phrase, ())
-        parts.append(f"<{goals[0]}>" if len(goals) == 1 else clause.verb.phrase)
+        parts.append(f"<{goals[0]}>" if len(goals) == 1 and goals[0] in served_goals() else clause.verb.phrase)
         start = clause.verb.length
     by_start = {one.start: one for one in named}
     while start < len(clause.words):
@@ -129,7 +139,7 @@ class _Pupil:
     implies: dict[str, Implied] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self._slot_of = {one.mention.name: one.slot for one in self.lesson.named}
+        self._slot_of = {mention.name: one.slot for one in self.lesson.named for mention in one.mentions}
         self._by_slot = {one.slot: one for one in self.lesson.named}
         self._fields = list(self._fields_of())
         for node in self._leaves():
@@ -141,6 +151,9 @@ class _Pupil:
             for entity_id, slot in self._slot_of.items()
             if slot in self.implies
         ]
+        self._listed = frozenset(slot for slot, one in self._by_slot.items() if one.others)
+        listed = [entity for entity, slot in self._slot_of.items() if slot in self._listed or self._is_of_listed(slot)]
+        self._merged = Merged(self.lesson.tree, self._sign, frozenset(listed))
         self._names: dict[str, str] = {}
         self._after: dict[str, list[str]] = {}
         self._until: dict[str, str] = {}
@@ -148,11 +161,39 @@ class _Pupil:
 
     def steps(self) -> tuple[Step, ...]:
         """What the method builds below the objective."""
+        root = self.lesson.tree.root
+        made = self._below(root, certain=root.gate == "and")
+        if root.gate == "xor" and len(made) > 1:
+            made = (Step(task=self._filled(root.label) or "Do one of these", gate="xor", steps=made),)
+        return (Step(do=f"Search({RESPONDER})"), *made) if self.lesson.calls else made
+
+    def _below(self, node: MissionNode, *, certain: bool) -> tuple[Step, ...]:
+        """The steps of a task; an option of a choice is a task, so that it stays one option if its slots hold several."""
         tree = self.lesson.tree
-        made = tuple(self._step(tree.by_id[child], certain=tree.root.gate == "and") for child in tree.root.children)
-        if tree.root.gate == "xor" and len(made) > 1:
-            return (Step(task=self._filled(tree.root.label) or "Do one of these", gate="xor", steps=made),)
-        return made
+        made = [self._step(tree.by_id[child], certain=certain) for child in self._merged.children[node.id]]
+        if node.gate != "xor" or len(made) < 2:
+            return tuple(made)
+        return tuple(self._option(step) if step.do and self._may_be_several(step) else step for step in made)
+
+    def _option(self, step: Step) -> Step:
+        """A routine as a task of its own."""
+        words = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", step.routine).capitalize()
+        label = f"{words} {', '.join(f'{{the {slot}}}' for slot in step.arguments)}"
+        inner = replace(step, name="", after=(), until="")
+        return Step(task=label, name=step.name, after=step.after, until=step.until, steps=(inner,))
+
+    def _may_be_several(self, step: Step) -> bool:
+        return any(slot not in self.implies or _FIELD.search(self.implies[slot].name) for slot in step.arguments)
+
+    def _is_of_listed(self, slot: str) -> bool:
+        """Whether it is implied once for each of a list: the people of the school, and those of the hospital."""
+        return slot in self.implies and bool(self._listed & set(_FIELD.findall(self.implies[slot].name)))
+
+    def _sign(self, node: MissionNode) -> Hashable:
+        """What a node comes to, what is below it aside."""
+        if node.routine is None:
+            return node.gate, self._filled(node.label)
+        return node.routine, self._arguments(node), node.resources, self._unless_known(node)
 
     def _leaves(self) -> Iterator[MissionNode]:
         return (node for node in self.lesson.tree.nodes if node.routine is not None)
@@ -162,6 +203,10 @@ class _Pupil:
         if entity.label.lower() in self.lesson.called and RESPONDER not in self._slot_of.values():
             return RESPONDER
         label = self._filled(entity.label)
+        for name, known in self.implies.items():
+            several = (one.slot for one in self.lesson.named if one.others)
+            if known.name == label and set(_FIELD.findall(label)) & set(several):
+                return name  # a method implies it once for each in the slot
         name = slot_name(_FIELD.sub(r"\1", label), (*self._slot_of.values(), *self.implies))
         base = self.lesson.scene.base_kind(entity.kind)
         self.implies[name] = Implied(name=label, kind=base, known_as=entity.aliases)  # type: ignore[arg-type]
@@ -170,13 +215,14 @@ class _Pupil:
     def _fields_of(self) -> Iterator[tuple[tuple[str, ...], str]]:
         """What labels may hold of those named, as words, and the slot that stands for it."""
         for one in self.lesson.named:
-            full = words_of(one.mention.full)
-            yield full, f"full {one.slot}" if full != words_of(one.mention.label) else one.slot
-            entity = self.lesson.scene.by_id.get(one.mention.name)
-            spellings = (entity.label, *entity.aliases) if entity is not None else ()
-            for spelling in (one.mention.label, *spellings):
-                if words_of(spelling) and words_of(spelling) != full:
-                    yield words_of(spelling), one.slot
+            for mention in one.mentions:
+                full = words_of(mention.full)
+                yield full, f"full {one.slot}" if full != words_of(mention.label) else one.slot
+                entity = self.lesson.scene.by_id.get(mention.name)
+                spellings = (entity.label, *entity.aliases) if entity is not None else ()
+                for spelling in (mention.label, *spellings):
+                    if words_of(spelling) and words_of(spelling) != full:
+                        yield words_of(spelling), one.slot
 
     def _filled(self, label: str) -> str:
         """A label with slots for those whom it names."""
@@ -195,7 +241,7 @@ class _Pupil:
             tail = _sign_behind(words[place + width - 1])
             made.append(f"{{{'the ' if article else ''}{slot}}}{tail}")
             place += width
-        return " ".join(made)
+        return _REPEATED.sub(r"\1", " ".join(made))
 
     def _field_at(self, words: Sequence[str], place: int) -> tuple[str, int] | None:
         """Who is named at a place, in the most words, and how many those are."""
@@ -212,13 +258,14 @@ class _Pupil:
                 kind = link.kind.replace("_", "-")
                 message = f"the tree has a {kind} link, from {link.first!r} to {link.second!r}, and a method has no such links"
                 raise InputError(message, hint="Leave that link out of the tree, or compose a routine that has it.")
+            first, second = (self._merged.stands_for[end] for end in (link.first, link.second))
             if link.kind == "until":
-                if link.first in self._until:
+                name = self._name(second)
+                if self._until.setdefault(first, name) != name:
                     message = f"{link.first!r} lasts until two others end; a step of a method lasts until one"
                     raise InputError(message, hint="Put what it lasts for below one task.")
-                self._until[link.first] = self._name(link.second)
-            else:
-                self._after.setdefault(link.second, []).append(self._name(link.first))
+            elif first != second and self._name(first) not in self._after.setdefault(second, []):
+                self._after[second].append(self._name(first))
 
     def _name(self, node_id: str) -> str:
         """What other steps call a node: as it is labelled, with slots for names."""
@@ -236,13 +283,20 @@ class _Pupil:
         }
         if node.routine is not None:
             call = f"{node.routine}({', '.join(self._arguments(node))})"
-            by = () if frozenset(node.resources or ()) == self.lesson.asked else node.resources or ()
-            spare = self._unless_known(node) if certain else ""
-            return Step(do=call, by=by, unless_known=spare, **links)  # type: ignore[arg-type]
-        inner = certain and node.gate == "and"
-        below = tuple(self._step(self.lesson.tree.by_id[child], certain=inner) for child in node.children)
+            by, capability = self._robots(node)
+            spare = self._unless_known(node) if certain and not self._after.get(node.id) else ""
+            return Step(do=call, by=by, capability=capability, unless_known=spare, **links)  # type: ignore[arg-type]
+        below = self._below(node, certain=certain and node.gate == "and")
         gate = node.gate or "and"
         return Step(task=self._filled(node.label), gate=gate, steps=below, **links)  # type: ignore[arg-type]
+
+    def _robots(self, node: MissionNode) -> tuple[tuple[str, ...], str]:
+        """Robot types that a routine keeps to, or the capability for which it does; nothing if the words of the mission say so."""
+        allowed, asked = frozenset(node.resources or ()), self.lesson.asked
+        for capability, able in self.lesson.able.items():
+            if allowed and allowed == (able & asked if asked else able):
+                return (), capability
+        return () if allowed == asked else node.resources or (), ""
 
     def _arguments(self, node: MissionNode) -> tuple[str, ...]:
         routine = self.lesson.routines.by_id[node.routine or ""]
@@ -255,14 +309,14 @@ class _Pupil:
         Only of one that waits for nothing, since an order that leads through it would be lost; and only if there is more to be done.
         """
         routine = self.lesson.routines.by_id[node.routine or ""]
-        if len(node.arguments) != 1 or not found_by(routine, self.lesson.routines) or self._after.get(node.id):
+        if len(node.arguments) != 1 or not found_by(routine, self.lesson.routines):
             return ""
         if leaf_of(routine, ()).open_ended(self.lesson.routines):
             return ""
         (who,) = node.arguments.values()
         slot = self._by_slot.get(self._slot_of[who])
         others = any(who in other.arguments.values() for other in self._leaves() if other is not node)
-        if slot is None or slot.kind in {HAZARD, "place"} or slot.mention.lost or not others:
+        if slot is None or slot.kind in {HAZARD, "place"} or "lost" in slot.conditions or not others:
             return ""
         known = self.lesson.scene.whereabouts(self.lesson.scene.by_id[who]).source == "known"
         return "" if known else slot.slot

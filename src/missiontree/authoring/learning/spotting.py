@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
@@ -23,6 +23,7 @@ from missiontree.mission.entity import Entity
 from missiontree.mission.scene import Scene
 
 HAZARD = "hazard"
+_WHERE_TO = frozenset({"to", "into", "onto", "toward", "towards"})
 _JOINING = frozenset({"from", "to", "into", "onto", "for", "against"})
 Weigh = Callable[[Sequence["Named"]], tuple[int, ...]]
 
@@ -44,6 +45,8 @@ class Named:
         Whether the tree speaks of it.
     slot
         Name of the slot that stands for it.
+    others
+        Who stands with it in a list, in the same slot.
     """
 
     start: int
@@ -52,6 +55,19 @@ class Named:
     kind: str
     used: bool
     slot: str = ""
+    others: tuple[Mention, ...] = ()
+
+    @property
+    def mentions(self) -> tuple[Mention, ...]:
+        """All who are meant."""
+        return (self.mention, *self.others)
+
+    @property
+    def conditions(self) -> tuple[str, ...]:
+        """What a method asks of the slot: lost, if the words say so, or else the kinds."""
+        if self.kind != HAZARD and any(mention.lost for mention in self.mentions):
+            return ("lost",)
+        return tuple(dict.fromkeys((self.kind, *(mention.kind for mention in self.others))))
 
 
 @dataclass(frozen=True)
@@ -98,32 +114,49 @@ class Spotter:
             yield with_slots(reading)
 
     def several(self, clause: Clause) -> str:
-        """A phrase that names several of those whom the tree speaks of; empty if there is none."""
-        words = clause.words
-        for start in range(len(words)):
-            for end in range(len(words), start, -1):
-                phrase = self._phrase(words[start:end])
-                met = self._met(phrase) if phrase is not None else ()
-                if len(met) > 1 and self.used & {mention.name for mention in met}:
-                    return " ".join(word.text for word in words[start:end])
+        """A phrase that names several by one noun, by their number or those whom the tree speaks of; empty if there is none."""
+        for start, end, phrase in self._phrases(clause.words, clause.verb.length if clause.verb is not None else 0):
+            met = self._met(phrase)
+            if phrase.count is not None or (len(met) > 1 and self.used & {mention.name for mention in met}):
+                return " ".join(word.text for word in clause.words[start:end])
         return ""
+
+    def lost(self, clauses: Iterable[Clause]) -> frozenset[str]:
+        """Names of those whom clauses call lost."""
+        return frozenset(
+            mention.name
+            for clause in clauses
+            for _, _, phrase in self._phrases(clause.words, 0)
+            for mention in self._met(phrase)
+            if mention.lost
+        )
 
     def hazards(self, words: Sequence[str]) -> list[str]:
         """The hazards that words name."""
         return [hazard for hazard, _, _ in self.lexicon.hazard_words.within([word.lower() for word in words])]
 
     def _all(self, words: Sequence[Word], first: int) -> Iterator[Named]:
+        for start, end, phrase in self._phrases(words, first):
+            met = self._met(phrase)
+            if len(met) != 1:
+                continue
+            used = met[0].name in self.used or self._is_in_a_name(met[0])
+            if not used and (self._is_destination(words, start) or not self._is_common(phrase)):
+                continue
+            hazard = not used and self._is_hazard(phrase)
+            yield Named(start, end, met[0], HAZARD if hazard else met[0].kind, used)
+
+    def _is_destination(self, words: Sequence[Word], start: int) -> bool:
+        """Whether a phrase says where to: a tree that makes no use of it goes elsewhere, as "to safety" does, and not wherever is said."""
+        before = [word.low for word in words[:start] if word.low not in self.lexicon.words["determiners"]]
+        return before[-1:] != [] and before[-1] in _WHERE_TO
+
+    def _phrases(self, words: Sequence[Word], first: int) -> Iterator[tuple[int, int, Phrase]]:
+        """All that may be one phrase, with its first word and the one behind it; the longest from each word first."""
         for start in range(first, len(words)):
             for end in range(len(words), start, -1):
-                phrase = self._phrase(words[start:end])
-                met = self._met(phrase) if phrase is not None else ()
-                if phrase is None or len(met) != 1:
-                    continue
-                used = met[0].name in self.used or self._is_in_a_name(met[0])
-                if not used and not self._is_common(phrase):
-                    continue
-                hazard = not used and self._is_hazard(phrase)
-                yield Named(start, end, met[0], HAZARD if hazard else met[0].kind, used)
+                if (phrase := self._phrase(words[start:end])) is not None:
+                    yield start, end, phrase
 
     def _is_in_a_name(self, mention: Mention) -> bool:
         """Whether somebody whom the tree speaks of is called after this one: the people of the school."""

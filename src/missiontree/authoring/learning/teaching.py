@@ -8,12 +8,14 @@ from dataclasses import dataclass, replace
 from missiontree.authoring.findings import gate
 from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.language.lexicon import Lexicon
+from missiontree.authoring.learning.habits import habits_of
 from missiontree.authoring.learning.lesson import SAYS, Lesson, learned, pattern_of
 from missiontree.authoring.learning.likeness import difference
-from missiontree.authoring.learning.spotting import Named, Spotter, slot_name
+from missiontree.authoring.learning.lists import lists_joined
+from missiontree.authoring.learning.spotting import Named, Spotter, slot_name, with_slots
 from missiontree.authoring.matching import listed, quoted, words_of
 from missiontree.authoring.methods.mention import Mention
-from missiontree.authoring.methods.method import Method, MethodLibrary
+from missiontree.authoring.methods.method import Method, MethodLibrary, built_in_methods
 from missiontree.authoring.offline import author_offline, clauses_read
 from missiontree.authoring.reading.clause import MAX_CLAUSE_WORDS, Clause
 from missiontree.errors import InputError
@@ -47,8 +49,9 @@ def method_from(
     Raises
     ------
     InputError
-        If no method can be made of it, or the method does not give that tree again.
+        If no method can be made of it, or the method does not give that tree again; or if the id is that of a built-in one.
     """
+    _refuse_built_in(method_id)
     _refuse_unfit(tree, brief)
     brief = replace(brief, goals=())
     lessons = _Lessons(tree, brief, methods)
@@ -62,6 +65,16 @@ def method_from(
         tried.append(why)
     hint = SAYS if not says else "Give another pattern, or change the tree."
     raise InputError(f"the method that was learned does not give the tree again: {tried[0]}", hint=hint)
+
+
+def _refuse_built_in(method_id: str) -> None:
+    """A method of the user's takes the place of a built-in one of its id, which nobody means who learns one."""
+    built_in = next((method for method in built_in_methods().methods if method.id == method_id), None)
+    if built_in is not None:
+        message = (
+            f"{method_id!r} is the id of a built-in method ({built_in.purpose.rstrip('.')}), which would be replaced"
+        )
+        raise InputError(message, hint=f"Give another id (--as ID), such as {f'my_{method_id}'!r}.")
 
 
 def _refuse_unfit(tree: MissionTree, brief: MissionBrief) -> None:
@@ -89,7 +102,8 @@ class _Lessons:
         clause, spotter, lexicon = self._read()
         if several := spotter.several(clause):
             message = f"{quoted(several)} names several at once, and it cannot be seen which of them is meant where"
-            raise InputError(message, hint=f"Learn from a mission that names one. {SAYS}")
+            hint = f"Learn from a mission that names one: its slot may then hold several. {SAYS}"
+            raise InputError(message, hint=hint)
         refused: InputError | None = None
         told = False
         for named in spotter.readings(clause):
@@ -97,9 +111,10 @@ class _Lessons:
                 continue
             told = True
             try:
-                pattern = pattern_of(clause, named, lexicon)
+                joined = with_slots(lists_joined(named, clause.words, self.tree))
+                pattern = pattern_of(clause, joined, lexicon)
                 _checked(pattern)
-                yield self._lesson(named, spotter, clause), pattern, self.brief.text
+                yield self._lesson(joined, spotter, clause, pattern), pattern, self.brief.text
             except InputError as error:
                 refused = refused or error
         if not told:
@@ -120,9 +135,10 @@ class _Lessons:
             raise InputError(f"--says has a slot {{{unknown[0]}}} that stands for nobody in the tree", accepted=names)
         if not slots:
             raise InputError("--says has no slot, so the method would be about nobody else", accepted="{a_slot}")
-        named = tuple(replace(known[slot], slot=slot) for slot in slots)
         _, spotter, lexicon = self._read(any_clauses=True)
-        lesson = self._lesson(named, spotter, None)
+        lost = self._lost(spotter)
+        named = tuple(replace(known[slot], slot=slot, mention=_lost_if(known[slot].mention, lost)) for slot in slots)
+        lesson = self._lesson(named, spotter, None, says)
         yield lesson, says, self.brief.text
         yield lesson, says, _spoken(forms_of(says)[0], named, lexicon)
 
@@ -147,9 +163,19 @@ class _Lessons:
         )
         return (clauses[0] if clauses else Clause(words=())), spotter, reader.hearing.lexicon
 
-    def _lesson(self, named: tuple[Named, ...], spotter: Spotter, clause: Clause | None) -> Lesson:
+    def _lost(self, spotter: Spotter) -> frozenset[str]:
+        """Names of those whom the mission calls lost, or states to be."""
+        reader, clauses = clauses_read(self.brief, self.methods)
+        for clause in clauses:
+            reader.read(clause)
+        return spotter.lost(clauses) | reader.hearing.speakers.lost
+
+    def _lesson(self, named: tuple[Named, ...], spotter: Spotter, clause: Clause | None, pattern: str) -> Lesson:
         words = self.brief.text.split() if clause is None else [word.low for word in clause.words]
-        called = (str(spotter.lexicon.hazards[hazard]["responder"]) for hazard in spotter.hazards(words))
+        hazards = spotter.hazards(words)
+        called = (str(spotter.lexicon.hazards[hazard]["responder"]) for hazard in hazards)
+        habits = habits_of(pattern, self.methods, spotter.lexicon)
+        search = self.brief.routines.find("Search")
         asked = frozenset[str]()
         if clause is not None and (clause.robots or clause.without):
             types = [kind.id for kind in self.brief.fleet.types if not clause.robots or kind.id in clause.robots]
@@ -161,6 +187,11 @@ class _Lessons:
             named=named,
             called=frozenset(name.lower() for name in called),
             asked=asked,
+            able={
+                capability: frozenset(kind.id for kind in self.brief.fleet.types if capability in kind.capabilities)
+                for capability in habits.capabilities
+            },
+            calls=habits.calls and not hazards and search is not None and len(search.arguments) == 1,
         )
 
     def _entities(self) -> list[Entity]:
@@ -187,6 +218,13 @@ class _Lessons:
             if len(alike) == 1:
                 found.setdefault(kind, alike[0])
         return found
+
+
+def _lost_if(mention: Mention, lost: frozenset[str]) -> Mention:
+    """Somebody who is lost if one of their names is among those."""
+    return (
+        replace(mention, lost=True, full=f"Lost {mention.label}") if lost & {mention.name, mention.label} else mention
+    )
 
 
 def _checked(pattern: str) -> tuple[str, ...]:
@@ -216,7 +254,8 @@ def _spoken(form: Form, named: Sequence[Named], lexicon: Lexicon) -> str:
     for element in form:
         if element.kind == "slot":
             mention = about[element.text]
-            words.append(f"the {mention.label.lower()}" if mention.determined else mention.label)
+            lost = "the lost " if mention.lost else "the " if mention.determined else ""
+            words.append(f"{lost}{mention.label.lower() if mention.determined else mention.label}")
         elif element.kind == "goal":
             words.append(next(iter(lexicon.phrases_of.get(element.text, ())), element.text))
         else:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from missiontree.authoring.language.lexicon import Lexicon, PhraseTable
 from missiontree.authoring.reading.clause import Clause
-from missiontree.authoring.reading.robots import named_robots
+from missiontree.authoring.reading.robots import by_last_word, named_robots
 from missiontree.mission.fleet import Fleet
 
 _LEAVES_OUT = frozenset(
@@ -31,6 +31,7 @@ class RobotAdvice:
     def __init__(self, fleet: Fleet, known: frozenset[str], lexicon: Lexicon) -> None:
         self._fleet = fleet
         self._names: PhraseTable = named_robots(fleet, known)
+        self.short_names = frozenset(" ".join(form) for form in by_last_word(fleet)) - known
         self._instruments = lexicon.words["instruments"]
         self.types = ", ".join(kind.label for kind in fleet.types[:_MOST_TYPES]) + (
             " ..." if len(fleet.types) > _MOST_TYPES else ""

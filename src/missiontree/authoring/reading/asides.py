@@ -22,9 +22,12 @@ def without_asides(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> t
         place = _last(clause.words, starts)
         if not place or clause.verb is None or place <= clause.verb.length:
             continue
-        width = next(len(start) for start in starts if _is_at(clause.words, place, start))
+        width = max(len(start) for start in starts if _is_at(clause.words, place, start))
         behind = clause.words[place + width :]
-        if what == "contrast" and not _is_contrast(behind, clause.words[:place], phrases):
+        if what == "purpose" and lexicon.decisive.within([word.low for word in behind]):
+            continue  # "so that she can work if it rains" holds a condition
+        bare_not = clause.words[place].low == "not" and clause.words[place - 1].low not in {",", "and", "but"}
+        if what == "contrast" and (bare_not or not _is_contrast(behind, clause.words[:place], phrases)):
             continue
         kept = clause.words[:place]
         while kept and kept[-1].low == ",":
@@ -42,7 +45,11 @@ def without_asides(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> t
 
 def _last(words: Sequence[Word], starts: Sequence[tuple[str, ...]]) -> int:
     """Where the last of these words begin; 0 if they do not stand there."""
-    return next((at for at in range(len(words) - 1, 0, -1) for start in starts if _is_at(words, at, start)), 0)
+    found = [(at, start) for at in range(len(words) - 1, 0, -1) for start in starts if _is_at(words, at, start)]
+    if not found:
+        return 0
+    end = found[0][0] + len(found[0][1])  # of "not" and "but not", the longer that ends there
+    return min(at for at, start in found if at + len(start) == end)
 
 
 def _is_at(words: Sequence[Word], place: int, start: tuple[str, ...]) -> bool:

@@ -8,11 +8,13 @@ from dataclasses import dataclass
 
 from missiontree.authoring.language.lexicon import Lexicon, Verb
 from missiontree.authoring.methods.method import Method, MethodLibrary, built_in_methods
-from missiontree.authoring.reading.wording import ANY, TO
+from missiontree.authoring.reading.wording import ANY, ANY_BUT_WITH, TO
 from missiontree.mission.pattern import Element, Form, fixed_words
 from missiontree.mission.routine import Routine, RoutineLibrary
 from missiontree.routines.library import built_in
 
+# Who fills a thing says with what, and not where.
+_FILLING = frozenset({"load", "fill", "pack", "supply", "provide", "stock", "equip", "cover", "stuff", "refill"})
 _OWN_METHOD, _OWN_ROUTINE, _METHOD, _ROUTINE, _SAME_GOAL = range(5)
 
 
@@ -24,6 +26,11 @@ class Candidate:
     form: Form
     method: Method | None = None
     routine: Routine | None = None
+
+    @property
+    def is_own(self) -> bool:
+        """Whether the user wrote it."""
+        return self.rank[0] in {_OWN_METHOD, _OWN_ROUTINE}
 
     @property
     def source(self) -> str:
@@ -82,6 +89,6 @@ def _form(routine: Routine, verb: Verb, *, own: bool) -> Form:
     form = [Element("word", word) for word in verb.phrase.split()]
     for number, argument in enumerate(routine.arguments):
         if number:
-            form.append(Element("word", ANY if own else TO))
+            form.append(Element("word", (ANY_BUT_WITH if verb.phrase.split()[0] in _FILLING else ANY) if own else TO))
         form.append(Element("slot", argument.name))
     return tuple(form)

@@ -18,20 +18,20 @@ def choice_of(clause: Clause, goals: Sequence[Goal]) -> Goal:
         if all(_calls(goal) != _calls(other) for other in distinct):
             distinct.append(goal)
     outline = distinct[0].outline
-    shared = [call for call in _calls(distinct[0]) if all(call in _calls(goal) for goal in distinct)]
-    if len(distinct) > 1 and shared and not any(goal.outline.links for goal in distinct):
-        common = [piece for piece in outline.pieces if piece.routine is not None and piece.call in shared]
-        for goal in distinct:
-            goal.outline.pieces = [p for p in goal.outline.pieces if p.routine is None or p.call not in shared]
-        rest = [goal for goal in distinct if goal.outline.pieces]
-        if len(rest) == len(distinct):
-            options = [option_of([goal.outline], goal.clause.text) for goal in rest]
-            outline = Outline([*common, Piece(title(clause.text), pieces=options, gate="xor")])
-    elif len(distinct) > 1:
-        options = [option_of([goal.outline], goal.clause.text) for goal in distinct]
+    if len(distinct) > 1:
+        shared = _shared(distinct)
+        options = [option_of(_without(goal.outline, shared), goal.clause.text) for goal in distinct]
         links = [link for goal in distinct for link in goal.outline.links]
-        outline = Outline([Piece(title(clause.text), pieces=options, gate="xor")], links)
-    return Goal(clause, outline, _told("or", goals), _assumptions(goals), min(goal.slots for goal in goals))
+        common = [piece for piece in outline.pieces if piece.routine is not None and piece.call in shared]
+        outline = Outline([*common, Piece(title(clause.text), pieces=options, gate="xor")], links)
+    return Goal(
+        clause,
+        outline,
+        _told("or", goals),
+        _assumptions(goals),
+        min(goal.slots for goal in goals),
+        standing=goals[0].standing,
+    )
 
 
 def both_of(clause: Clause, goals: Sequence[Goal]) -> Goal:
@@ -39,13 +39,25 @@ def both_of(clause: Clause, goals: Sequence[Goal]) -> Goal:
     pieces = [piece for goal in goals for piece in goal.outline.pieces]
     links = [link for goal in goals for link in goal.outline.links]
     slots = min(goal.slots for goal in goals)
-    return Goal(clause, Outline(pieces, links), _told("and", goals), _assumptions(goals), slots)
+    return Goal(
+        clause, Outline(pieces, links), _told("and", goals), _assumptions(goals), slots, standing=goals[0].standing
+    )
 
 
-def option_of(outlines: Sequence[Outline], label: str) -> Piece:
+def option_of(pieces: Sequence[Piece], label: str) -> Piece:
     """One piece for an option of a choice."""
-    pieces = [piece for outline in outlines for piece in outline.pieces]
-    return pieces[0] if len(pieces) == 1 else Piece(title(label), pieces=pieces)
+    return pieces[0] if len(pieces) == 1 else Piece(title(label), pieces=list(pieces))
+
+
+def _shared(goals: Sequence[Goal]) -> list[tuple[object, ...]]:
+    """What all options ask for, and is therefore no part of the choice; nothing if links hold it, or an option is no more than that."""
+    shared = [call for call in _calls(goals[0]) if all(call in _calls(goal) for goal in goals)]
+    alone = any(not _without(goal.outline, shared) for goal in goals)
+    return [] if alone or any(goal.outline.links for goal in goals) else shared
+
+
+def _without(outline: Outline, shared: Sequence[tuple[object, ...]]) -> list[Piece]:
+    return [piece for piece in outline.pieces if piece.routine is None or piece.call not in shared]
 
 
 def _calls(goal: Goal) -> list[tuple[object, ...]]:

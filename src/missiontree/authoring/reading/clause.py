@@ -39,6 +39,8 @@ class Clause:
         Robot types that are named to do it, once for each naming; any of one naming may.
     without
         Robot types that are left out.
+    throughout
+        Robot types that alone are asked for in the whole mission; none means any.
     leads
         Whether those asked are named before the verb.
     either
@@ -47,6 +49,12 @@ class Clause:
         Whether what it asks for is to be done in the order in which it is named.
     pause
         Whether a comma stands before the *and* that joins it.
+    listed
+        Whether a comma alone joins it.
+    opens
+        Whether it is said to be the first of all.
+    own_subject
+        Whether it says itself who or what it is about: "the box must be found".
     sentence
         Number of its sentence.
     """
@@ -59,10 +67,14 @@ class Clause:
     decisive: tuple[str, ...] = ()
     asked: tuple[tuple[str, ...], ...] = ()
     without: tuple[str, ...] = ()
+    throughout: tuple[str, ...] = ()
     leads: bool = False
     either: bool = False
     in_order: bool = False
     pause: bool = False
+    listed: bool = False
+    own_subject: bool = False
+    opens: bool = False
     sentence: int = 0
 
     @property

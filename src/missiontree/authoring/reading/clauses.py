@@ -70,6 +70,9 @@ class _Splitter:
     held: list[Word] = field(default_factory=list)
     relation: Relation = "start"
     anchor: int | None = None
+    listed: bool = False  # a comma alone joins the clause under way
+    first: bool = False  # what was said last goes before what comes
+    opens: bool = False  # the clause under way is the first of all
     pause: bool = False  # a comma stands before the clause under way
     either: bool = False  # the clause under way begins a choice
     leading: bool = False  # the clause under way is subordinate and its main clause comes behind it
@@ -82,15 +85,21 @@ class _Splitter:
         place = 0
         while place < len(lows):
             place += self._step(lows, place)
-        self._close("start")
+        self._end_sentence()
         if self.held:  # a robot that is told nothing
             self.done.append(Clause(words=tuple(Word(word.text, word.text.lower()) for word in self.held)))
         return tuple(self.done)
 
+    def _end_sentence(self) -> None:
+        """Close the clause under way; one that waits for a main clause belongs to the last one, if that is of its sentence."""
+        if self.leading and self.held and self.main is not None and self.done[self.main].sentence == self.sentence:
+            self.leading, self.anchor = False, self.main
+        self._close("start")
+
     def _step(self, lows: list[str], place: int) -> int:
         """Take what stands at a place; return how many words that was."""
         if lows[place] in STOPS:
-            self._close("start")
+            self._end_sentence()
             self.sentence += 1
             return 1
         if not self.held and lows[place] in _CALLS and lows[place + 1 : place + 2] in ([","], ["!"]):
@@ -105,7 +114,7 @@ class _Splitter:
         if (
             lows[place] == "either"
             and not says_something(self.held, self.lexicon)
-            and self._verb_follows(lows, place + 1)
+            and self._order_follows(lows, place + 1)
         ):
             self.either = True
             return 1
@@ -148,7 +157,16 @@ class _Splitter:
     def _joins(self, lows: list[str], place: int, relation: str, length: int) -> bool:
         if relation == "first":
             ends = lows[place + length : place + length + 1]
+            self.opens = self.opens or not (self.held or self.done)
+            if (
+                self.held
+                and (not ends or ends[0] in {",", "and", *STOPS})
+                and lows[place + length + 1 : place + length + 2] != ["then"]
+            ):
+                self._said_first()
             return not self.held or not ends or ends[0] in {",", "and", "then", *STOPS}
+        if self.held and relation in {"then", "earlier", "meanwhile"} and self._ends(lows, place + length):
+            return self._said_last(relation)
         if relation == "earlier":
             self._close("earlier")
             return True
@@ -160,6 +178,22 @@ class _Splitter:
             self._close("then" if relation == "then" else "meanwhile")
             return True
         self._subordinate(relation)  # type: ignore[arg-type]  # the four that are left
+        return True
+
+    def _ends(self, lows: list[str], place: int) -> bool:
+        return place >= len(lows) or lows[place] in STOPS
+
+    def _said_first(self) -> None:
+        """The word *first* behind what is to be done: it goes before what it is joined to, or before what comes."""
+        if self.relation == "and":
+            self.relation = "earlier"
+        elif self.relation == "start":
+            self.first, self.opens = True, not self.done
+
+    def _said_last(self, relation: str) -> bool:
+        """A word such as *afterwards* behind what is to be done says how it is joined to what stands before."""
+        if self.relation in {"and", "start"} and self.main is not None and not self.leading:
+            self.relation, self.anchor = relation, self.main  # type: ignore[assignment]  # then, earlier or meanwhile
         return True
 
     def _subordinate(self, relation: Relation) -> None:
@@ -198,6 +232,7 @@ class _Splitter:
             alone = (verb := self._verb_of(self.held)) is not None and verb.length == len(spoken)
             self._close("and", shares=alone)
             self.pause = lows[place] == "," and "and" in lows[place:behind]
+            self.listed = "and" not in lows[place:behind]
             return behind - place
         if self.held:
             self.held.extend(self.words[place:behind])
@@ -230,6 +265,10 @@ class _Splitter:
     @property
     def _all_capitals(self) -> bool:
         return all(word.text == word.text.upper() for word in self.words)
+
+    def _order_follows(self, lows: list[str], place: int) -> bool:
+        """Whether a verb begins there that tells what to do."""
+        return self._verb_follows(lows, place) and not self._passive_follows(lows, place)
 
     def _clause_follows(self, lows: list[str], place: int) -> bool:
         """Whether another clause begins there, and not only a further subject: "the bed and the chair must be moved"."""
@@ -268,10 +307,17 @@ class _Splitter:
             joined: Relation = "shares" if shares else self.relation
             self.done.append(
                 replace(
-                    clause, relation=joined, anchor=anchor, sentence=self.sentence, either=self.either, pause=self.pause
+                    clause,
+                    relation=joined,
+                    anchor=anchor,
+                    sentence=self.sentence,
+                    either=self.either,
+                    pause=self.pause,
+                    listed=self.listed,
+                    opens=self.opens,
                 )
             )
-            self.either = self.pause = False
+            self.either = self.pause = self.listed = self.opens = False
             if not self.leading and self.relation not in SUBORDINATE:
                 self.main = index
         elif following in {"start", "and"}:
@@ -285,6 +331,8 @@ class _Splitter:
             and self.relation in SUBORDINATE
             and not self.leading
         )
+        if self.first and following in {"start", "and"} and self.done and self.done[-1].relation == "start":
+            following, self.first = "then", False
         if not inherits and not shares:
             self.relation, self.anchor = following, self.main if following in _TO_MAIN else None
         self.leading = False

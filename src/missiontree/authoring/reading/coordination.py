@@ -58,7 +58,7 @@ def choices(words: tuple[Word, ...], verb_length: int) -> Iterator[Cut]:
     place = lows.index("or", verb_length)
     starts = [either[-1]] if either else range(place - 1, verb_length - 1, -1)
     for start in starts:
-        if either or _begins(lows, start, verb_length):
+        if either or (_begins(lows, start, verb_length) and not _within_list(lows, start, verb_length)):
             yield from _cuts(words, start, place, verb_length, either=bool(either))
 
 
@@ -68,6 +68,8 @@ def _cuts(words: tuple[Word, ...], start: int, place: int, verb_length: int, *, 
     for end in range(len(words), place + 1, -1):
         if end < len(words) and not (lows[end] in PREPOSITIONS or _adjectives(left, words[place + 1 : end])):
             continue
+        if any(word.low == "," for word in words[place + 1 : end]):
+            continue  # "this or that, these or those" may mean either of two things
         right = _split(words[place + 1 : end], also_or=True)
         options = (*left, *right)
         if not either and any(word.low == "and" for option in options for word in option):
@@ -91,6 +93,12 @@ def _begins(lows: Sequence[str], start: int, verb_length: int) -> bool:
     """Whether an option may begin there: behind the verb, a preposition, an article, a comma."""
     before = lows[start - 1]
     return start == verb_length or lows[start] in PREPOSITIONS or before in PREPOSITIONS or before in _DETERMINERS
+
+
+def _within_list(lows: Sequence[str], start: int, verb_length: int) -> bool:
+    """Whether an option stands behind an *and* of its own list: "this and that or those" may mean either of two things."""
+    begin = max((at + 1 for at in range(verb_length, start) if lows[at] in PREPOSITIONS), default=verb_length)
+    return "and" in lows[begin:start]
 
 
 def _split(words: tuple[Word, ...], *, also_or: bool = False) -> list[tuple[Word, ...]]:
@@ -117,8 +125,12 @@ def _family(low: str) -> str:
 
 def _adjectives(left: Sequence[tuple[Word, ...]], right: Sequence[Word]) -> bool:
     """Whether the options are single words that say which: "the red or blue box"."""
-    words = [*(option for option in left), tuple(right)]
-    return all(len(option) == 1 and kind_of(option[0].low) is None and option[0].low.isalpha() for option in words)
+    options = [*left, tuple(right)]
+    return all(len(option) == 1 and _says_which(option[0]) for option in options)
+
+
+def _says_which(word: Word) -> bool:
+    return word.text.isalpha() and word.text.islower() and kind_of(word.low) is None and word.low not in _DETERMINERS
 
 
 def _with_noun_of(option: tuple[Word, ...], first: tuple[Word, ...]) -> tuple[Word, ...]:

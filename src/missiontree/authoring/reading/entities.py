@@ -9,8 +9,9 @@ from dataclasses import dataclass, field, replace
 from missiontree.authoring.language.kinds import is_abstract
 from missiontree.authoring.matching import listed
 from missiontree.authoring.methods.mention import Mention, UnclearError, title
-from missiontree.authoring.reading.ones import picked, with_noun
+from missiontree.authoring.reading.ones import other_of_two, picked, with_noun
 from missiontree.authoring.reading.phrase import Phrase, kind_of_phrase
+from missiontree.authoring.reading.phrases import ONES
 from missiontree.authoring.reading.places import is_designation, plain, spellings
 from missiontree.authoring.reading.plurals import is_plural, plural, singular
 from missiontree.authoring.reading.pronouns import antecedent, fits
@@ -50,6 +51,13 @@ class Speakers:
     numbered: dict[str, tuple[Mention, ...]] = field(default_factory=dict)
     """Those who were introduced by their number, such as the three crates, by their noun."""
 
+    sentence: int = 0
+    sentence_start: int = 0
+    """Index among the clauses of the first of the sentence under way."""
+    open_choice: set[str] = field(default_factory=set)
+    """Names of those of whom only one is chosen, so that no pronoun can mean them."""
+    moved_away: set[str] = field(default_factory=set)
+    """Names of those who were brought somewhere."""
     starts: dict[str, str] = field(default_factory=dict)
     """Where somebody or something was taken from, by name."""
 
@@ -68,6 +76,8 @@ class Speakers:
             lost=set(self.lost),
             numbered=dict(self.numbered),
             starts=dict(self.starts),
+            open_choice=set(self.open_choice),
+            moved_away=set(self.moved_away),
         )
 
     def joined(self, other: Speakers, clauses: int) -> Speakers:
@@ -82,10 +92,12 @@ class Speakers:
         mine.starts |= its.starts
         return mine
 
-    def next_clause(self) -> None:
-        """What is said from now on belongs to a new clause."""
+    def next_clause(self, sentence: int = 0) -> None:
+        """What is said from now on belongs to a new clause, of a sentence by number."""
         if not self.said or self.said[-1]:
             self.said.append([])
+        if sentence != self.sentence:
+            self.sentence, self.sentence_start = sentence, len(self.said) - 1
 
     def remember(self, groups: tuple[tuple[Mention, ...], ...]) -> None:
         """Keep what was mentioned, for pronouns."""
@@ -101,8 +113,15 @@ class Speakers:
         """
         found: tuple[Mention, ...] = ()
         for phrase in phrases:
+            if phrase.other and phrase.name.lower() in ONES and (left := other_of_two(phrase, self.said)):
+                found += tuple(self._again(mention) for mention in left)
+                continue
             found += self.resolve(with_noun(phrase, self.said, slot, found), kind, beside)
         return found
+
+    def were_moved(self, names: Collection[str]) -> None:
+        """Keep who was brought somewhere."""
+        self.moved_away |= set(names)
 
     def came_from(self, read: Mapping[str, tuple[Phrase, ...]], said: Mapping[str, tuple[Mention, ...]]) -> None:
         """Keep where things were taken from, for what is brought back."""
@@ -120,7 +139,7 @@ class Speakers:
         except UnclearError:
             groups = next((groups for groups in reversed(self.said) if groups), [])
             taken = {m.name: m for group in groups for m in group if m.name in self.starts and fits(m, phrase)}
-            if not phrase.pronoun or len(taken) != 1:
+            if phrase.pronoun not in {"thing", "person"} or len(taken) != 1:
                 raise
             return tuple(taken.values())
 
@@ -128,7 +147,7 @@ class Speakers:
         """Where somebody or something was taken from, or is by the scene; empty if nobody knows."""
         if mention.name in self.starts:
             return self.starts[mention.name]
-        entity = self.scene.by_id.get(mention.name)
+        entity = self.scene.by_id.get(mention.name) if mention.name in self.moved_away else None
         place = self.scene.by_id.get(entity.place) if entity is not None and entity.place is not None else None
         return place.label if place is not None else ""
 
@@ -142,7 +161,12 @@ class Speakers:
             If it may be several, or nobody.
         """
         if phrase.pronoun:
-            return tuple(self._again(mention) for mention in antecedent(phrase, self.said, beside))
+            meant = antecedent(phrase, self.said, beside, self.sentence_start)
+            if open_ones := [mention.label for mention in meant if mention.name in self.open_choice]:
+                raise UnclearError(
+                    f"{phrase.text!r} may mean {' or '.join(open_ones)}, of which only one is chosen; say which"
+                )
+            return tuple(self._again(mention) for mention in meant)
         if phrase.name.lower() in _EVERYBODY:
             phrase = replace(phrase, name="people" if self.complete else phrase.name)
         if group := self._numbered(phrase):
@@ -269,6 +293,11 @@ class Speakers:
         )
 
     def _introduced(self, phrase: Phrase, expected: str = "") -> Mention:
+        first, label = phrase.text.lower().split()[0], title(phrase.name)
+        if first in {"this", "that", "these", "those"} and label.lower() not in self.described:
+            raise UnclearError(f"it is not clear what {phrase.text!r} means; give it a name")
+        if first in {"a", "an"} and any(m.label == label for groups in self.said for g in groups for m in g):
+            raise UnclearError(f"it is not clear whether {phrase.text!r} is the {phrase.name} of before or another one")
         if is_abstract(phrase.name) and not phrase.is_own_name and expected != "place":
             raise UnclearError(f"{phrase.text!r} is nothing that a robot can find, reach or carry")
         everybody = phrase.name.lower() in _EVERYBODY
@@ -283,7 +312,8 @@ class Speakers:
                 f"it is not clear whether {phrase.text!r} is the {phrase.name} of before; give them different names"
             )
         several, kind = phrase.several, "person" if everybody else kind_of_phrase(phrase)
-        kind = kind or expected or None
+        numbered = is_designation(phrase.name.split()[-1].lower())
+        kind = "place" if expected == "place" and kind == "object" and numbered else kind or expected or None
         if kind is None and not (phrase.determined or several or is_designation(phrase.name.split()[-1].lower())):
             raise UnclearError(f"{phrase.text!r} is no noun that is known; say 'the {phrase.name}' if it is a thing")
         return Mention(

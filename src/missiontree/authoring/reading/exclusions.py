@@ -19,6 +19,26 @@ _JOINS = frozenset({"or", "nor", "and", ",", "any", "with", "by", "using"})
 _LEAVES_OUT = phrase_table("robots", "leaves_out")
 _ANY_BUT = frozenset(phrases_of("robots", "anybody"))
 _ORDERS = frozenset({"send", "have", "let", "use", "ask", "tell", "get", "dispatch"})
+_SUBJECTS = frozenset(
+    {
+        ",",
+        "and",
+        "but",
+        "also",
+        "you",
+        "we",
+        "they",
+        "i",
+        "robots",
+        "robot",
+        "the",
+        "a",
+        "please",
+        "must",
+        "should",
+        "may",
+    }
+)
 _IS_OUT = phrase_table("robots", "is_out")
 _FOR_IT = phrase_table("robots", "for_it")
 _THROUGHOUT = phrase_table("robots", "throughout")
@@ -60,7 +80,14 @@ def robots_restricted(clauses: Sequence[Clause], standing: Standing) -> tuple[Cl
     """The clauses with those left out, and with those asked for throughout where none is asked for."""
     throughout = (standing.asked_throughout,) if standing.asked_throughout else ()
     return tuple(
-        replace(clause, without=standing.without(clause.sentence), asked=clause.asked or throughout)
+        replace(
+            clause,
+            without=standing.without(clause.sentence),
+            throughout=standing.asked_throughout,
+            asked=clause.asked
+            if set(clause.robots) <= set(standing.asked_throughout) and clause.asked
+            else (*clause.asked, *throughout),
+        )
         for clause in clauses
     )
 
@@ -82,6 +109,8 @@ class _Taker:
     said: list[str] = field(default_factory=list)
     """Left out in the sentence under way."""
     asked_here: list[str] = field(default_factory=list)
+    narrow: bool = False
+    """Whether "for that" leaves somebody out of the sentence before alone."""
 
     def taken(self) -> Standing:
         lows = [word.low for word in self.words]
@@ -109,6 +138,8 @@ class _Taker:
             if (named := named_at(self.names, lows, place + hit[1], _JOINS)) is None:
                 return 0
             end = place + hit[1] + named.length
+            told = _FOR_IT.at(lows, end)
+            self.narrow = told is not None and told[0] in {"for that", "for this", "for it"}
             end += self._for_it(lows, end)
             anybody = tuple(lows[place : place + hit[1]]) in _ANY_BUT
             if self._goes_on(lows, end) and not anybody:
@@ -179,11 +210,14 @@ class _Taker:
         own = not any(self._matters(word) for word in self.kept[self.start :])
         if own:
             del self.kept[self.start :]
-            self.throughout += self.said
+            if self.narrow and self.sentence:
+                self.left_out.setdefault(self.sentence - 1, []).extend(self.said)
+            else:
+                self.throughout += self.said
         elif self.said:
-            self.left_out[self.sentence] = self.said
+            self.left_out.setdefault(self.sentence, []).extend(self.said)
         self.asked += self.asked_here
-        self.said, self.asked_here = [], []
+        self.said, self.asked_here, self.narrow = [], [], False
 
     def _matters(self, word: Word) -> bool:
-        return word.low not in {",", "and", "but", "also"} and self.lexicon.passed_over.at([word.low], 0) is None
+        return word.low not in _SUBJECTS and self.lexicon.passed_over.at([word.low], 0) is None

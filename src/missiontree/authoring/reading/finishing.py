@@ -29,7 +29,9 @@ def finished(words: tuple[Word, ...], lexicon: Lexicon, *, is_event: bool) -> Cl
     while kept and kept[-1].low == ",":
         kept.pop()
     kept, _ = without_openings(kept, lexicon)
+    before = kept
     kept = caused(active(kept, lexicon, is_event=is_event), lexicon)
+    kept = _particle_to_verb(kept, lexicon)
     lows = [word.low for word in kept]
     verb = lexicon.verb_at(lows, 0, "base", "gerund")
     return Clause(
@@ -40,6 +42,7 @@ def finished(words: tuple[Word, ...], lexicon: Lexicon, *, is_event: bool) -> Cl
         asked=asked,
         leads=leads,
         in_order=in_order,
+        own_subject=kept is not before,
     )
 
 
@@ -81,6 +84,20 @@ def _without_passed_over(words: list[Word], lexicon: Lexicon) -> tuple[list[Word
             kept.append(words[place])
             place += 1
     return kept, tuple(passed)
+
+
+def _particle_to_verb(words: list[Word], lexicon: Lexicon) -> list[Word]:
+    """The words with "pick the parcel up" as "pick up the parcel"."""
+    lows = [word.low for word in words]
+    for place in range(2, len(lows)):
+        ends = place + 1 == len(lows) or lows[place + 1] in _BEHIND_PARTICLE
+        if lows[place] in _PARTICLES and ends and " ".join((lows[0], lows[place])) in lexicon.goals_of:
+            return [words[0], words[place], *words[1:place], *words[place + 1 :]]
+    return words
+
+
+_PARTICLES = frozenset({"up", "over", "off", "down", "out", "on", "away"})
+_BEHIND_PARTICLE = frozenset({"to", "at", "in", "on", "from", "into", "onto", ","})
 
 
 def _without_order(words: list[Word]) -> tuple[list[Word], bool]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from missiontree.authoring.methods.mention import Mention, UnclearError, title
 from missiontree.authoring.methods.method import RESPONDER, Method
@@ -15,6 +15,7 @@ from missiontree.authoring.reading.hearing import Hearing
 from missiontree.authoring.reading.outcomes import Goal
 from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.remarks import Read, Said, assumed, reading_line, unused_words
+from missiontree.authoring.reading.wording import GOING
 from missiontree.authoring.reading.words import Word
 from missiontree.mission.scene import BASE_KINDS
 
@@ -32,11 +33,12 @@ class Fitting:
         read = self._matched(candidate, clause, words)
         if read is None:
             return None
+        read = _from_site(read)
         self.hearing.refusals.robots(phrase for phrases in read.values() for phrase in phrases)
         self.hearing.refusals.instruments(phrase for phrases in read.values() for phrase in phrases)
         for phrases in read.values():
             self.hearing.refusals.two_places(phrases)
-        self.hearing.refusals.company(phrase for phrases in read.values() for phrase in phrases)
+        self._refuse_company(clause, read)
         said = self._said(candidate, read)
         if candidate.method is not None and not self._holds(candidate.method, said, read):
             return None
@@ -46,6 +48,8 @@ class Fitting:
         if several := [slot for slot, phrases in list(read.items())[1:] if len(phrases) > 1]:
             texts = " and ".join(phrase.text for phrase in read[several[0]])
             raise UnclearError(f"it is not clear which of {texts} is meant for which")
+        said = _without_goal(said)
+        self._refuse_several(candidate, said)
         outline = self._outline(candidate, said, words)
         steps = candidate.method.all_steps if candidate.method is not None else ()
         capability = next((step.capability for step in steps if step.capability), "")
@@ -55,6 +59,8 @@ class Fitting:
             leaf.resources = self._allowed(clause, leaf.resources, capability)
         self.hearing.refusals.other_places(outline, said)
         self.hearing.speakers.came_from(read, said)
+        pairs = (leaf.mentions for piece in outline.pieces for leaf in piece.leaves if len(leaf.mentions) > 1)
+        self.hearing.speakers.were_moved({mentions[0].name for mentions in pairs})
         self.hearing.speakers.remember(tuple(group for slot, group in said.items() if not self._is_hazard(read[slot])))
         remarks = list(unused_words(outline, read, said, self.hearing.lexicon, self.hearing.brief.world))
         remarks += assumed(candidate.method, said)
@@ -65,15 +71,38 @@ class Fitting:
             tuple(remarks),
             len(read),
             returns=_returns(clause),
+            standing=self._standing(clause),
         )
+
+    def _refuse_company(self, clause: Clause, read: Read) -> None:
+        """Whoever is said to come along, or may be meant to."""
+        assert clause.verb is not None
+        goals = self.hearing.lexicon.goals_of.get(clause.verb.phrase, ())
+        self.hearing.refusals.companions(clause.words, goals)
+        if not read:
+            return
+        *before, last = read.values()
+        self.hearing.refusals.company((phrase for phrases in before for phrase in phrases), goes=False)
+        self.hearing.refusals.company(last, goes=bool(set(goals) & GOING))
+
+    def _refuse_several(self, candidate: Candidate, said: Bindings) -> None:
+        """Several in a slot that is no list of errands: who of them is meant for what is not said."""
+        steps = candidate.method.all_steps if candidate.method is not None else ()
+        first = next(iter(said), "")
+        for slot, mentions in said.items():
+            beside = candidate.method is None or any(slot in step.arguments[1:] for step in steps)
+            if slot != first and len(mentions) > 1 and beside:
+                raise UnclearError(
+                    f"it is not clear which of {' and '.join(m.label for m in mentions)} is meant for which"
+                )
 
     def _said(self, candidate: Candidate, read: Read) -> Bindings:
         """Who fills the slots: first those who are named, then those whom pronouns mean, who are others."""
         said: Bindings = {}
         for pronouns in (False, True):
-            beside = {mention.name for mentions in said.values() for mention in mentions}
             for number, (slot, phrases) in enumerate(read.items()):
                 if any(phrase.pronoun for phrase in phrases) == pronouns:
+                    beside = {mention.name for mentions in said.values() for mention in mentions}
                     said[slot] = self._named(candidate, slot, phrases, number, beside)
         return {slot: said[slot] for slot in read}
 
@@ -88,6 +117,14 @@ class Fitting:
         ):
             return tuple(Mention(title(p.name), title(p.name), title(p.full), "object") for p in phrases)
         return self.hearing.speakers.resolved(phrases, number, _only_kind(candidate, slot), beside)
+
+    def _standing(self, clause: Clause) -> tuple[str, ...]:
+        """Robot types that the mission allows for what is added to a clause; none for no restriction."""
+        if not (clause.without or clause.throughout):
+            return ()
+        types = (kind.id for kind in self.hearing.brief.fleet.types)
+        asked = clause.throughout
+        return tuple(name for name in types if name not in clause.without and (not asked or name in asked))
 
     def _allowed(self, clause: Clause, by_method: tuple[str, ...], capability: str) -> tuple[str, ...]:
         """Robot types that may do it, of those that a method allows for a capability; none for no restriction."""
@@ -151,7 +188,7 @@ class Fitting:
 
     def _is_hazard(self, phrases: tuple[Phrase, ...]) -> bool:
         heads = (phrase.name.lower().split(" of ")[0] for phrase in phrases)
-        return any(self.hearing.lexicon.hazard_words.within(head.split()) for head in heads)
+        return any(self.hearing.lexicon.hazards_in(head.split()) for head in heads)
 
     def _completed(self, method: Method, said: Bindings, words: tuple[Word, ...]) -> Bindings:
         """The slots with what the method implies, and those who are called for the hazards that the words name."""
@@ -161,9 +198,7 @@ class Fitting:
                 self.hearing.speakers.implied(fill(implied.name, one), implied.kind, implied.known_as)
                 for one in _one_by_one(implied.name, said)
             )
-        hazards = [
-            name for name, _, _ in self.hearing.lexicon.hazard_words.within([word.low for word in words])
-        ] + self.hearing.hazards
+        hazards = self.hearing.lexicon.hazards_in([word.low for word in words]) + self.hearing.hazards
         called = dict.fromkeys(str(self.hearing.lexicon.hazards[name]["responder"]) for name in hazards)
         complete[RESPONDER] = tuple(self.hearing.speakers.implied(name, "person") for name in called)
         if any(RESPONDER in step.mentions for step in method.all_steps):
@@ -172,17 +207,36 @@ class Fitting:
 
 
 def _only_kind(candidate: Candidate, slot: str) -> str:
-    """The kind that a slot asks for, if it is one of the base kinds alone; empty if it is not."""
-    if candidate.routine is not None:
-        kinds = set(candidate.routine.argument_kinds[slot])
-    else:
-        kinds = set(candidate.method.where.get(slot, ())) if candidate.method is not None else set()
+    """The kind that an argument of a routine is of, if it is one of the base kinds alone; empty if it is not."""
+    kinds = set(candidate.routine.argument_kinds[slot]) if candidate.routine is not None else set()
     return next(iter(kinds)) if len(kinds) == 1 and kinds <= set(BASE_KINDS) else ""
 
 
 def _returns(clause: Clause) -> bool:
     """Whether something is brought back to where it was before."""
     return any(word.low == "back" for word in clause.words)
+
+
+def _from_site(read: Read) -> Read:
+    """In "evacuate the cows from the barn", those in the barn are meant."""
+    if "site" not in read or len(read["site"]) != 1:
+        return read
+    victim, site = next(iter(read)), read["site"][0]
+    where = f"in {site.text}"
+    meant = tuple(replace(p, description=where) if p.several and not p.description else p for p in read[victim])
+    return {**read, victim: meant}
+
+
+def _without_goal(said: Bindings) -> Bindings:
+    """The slots, without those who would be brought to themselves."""
+    if len(said) < 2:
+        return said
+    first, *others = said.items()
+    goals = {mention.name for _, mentions in others for mention in mentions}
+    left = tuple(mention for mention in first[1] if mention.name not in goals)
+    if not left and first[1]:
+        raise UnclearError(f"{first[1][0].label} cannot be brought to {first[1][0].label}")
+    return {**said, first[0]: left}
 
 
 def _one_by_one(template: str, said: Bindings) -> list[Bindings]:

@@ -38,7 +38,7 @@ class GoalReader:
     def read(self, clause: Clause, following: Clause | None = None) -> Goal | Unserved | Trouble:
         """What a clause asks for; ``following`` lends its object to a clause that has none ("find and rescue the dog")."""
         heard = self.hearing
-        heard.speakers.next_clause()
+        heard.speakers.next_clause(clause.sentence)
         if (again := self._event(clause)) is not None:
             return again
         clause, asides = without_asides(clause, heard.phrases, heard.lexicon)
@@ -52,7 +52,7 @@ class GoalReader:
         if clause.verb is None:
             return self._telling.told(clause)
         words, cause = cause_of(with_object(clause, following))
-        dangers = tuple(name for name, _, _ in heard.lexicon.hazard_words.within([word.low for word in cause]))
+        dangers = tuple(heard.lexicon.hazards_in([word.low for word in cause]))
         if cause and not dangers:
             said = " ".join(word.text for word in cause)
             return trouble("words_left_over", clause, f"it is not clear what {said!r} changes")
@@ -86,7 +86,7 @@ class GoalReader:
     def _excepting(self, clause: Clause) -> set[str]:
         """The words of a clause that make an exception, as in "all crates but the red one"."""
         lows = [word.low for word in clause.words]
-        return EXCEPTIONS if {"all", "every", "each"} & set(lows) else set()
+        return EXCEPTIONS if {"all", "every", "each", "everyone", "everybody"} & set(lows) else set()
 
     def _kept(
         self, clause: Clause, goal: Goal | Unserved | Trouble, asides: tuple[Reason, ...], wished: bool

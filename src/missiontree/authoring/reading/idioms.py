@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from missiontree.authoring.language.lexicon import Lexicon
 from missiontree.authoring.reading.clause import Clause
+from missiontree.authoring.reading.wording import PREPOSITIONS
 
 _DROPPED = frozenset({"the", "a", "an", "my", "your", "his", "her", "its", "our", "their", "some", "any", "me", "us"})
 
@@ -14,14 +15,23 @@ def idiom_in(clause: Clause, lexicon: Lexicon) -> str:
         return ""
     lows = [word.low for word in clause.words]
     verb = clause.verb.phrase.split()
-    for start in {" ".join(verb), verb[0]}:
+    for start in dict.fromkeys((" ".join(verb), verb[0])):
         behind = [low for low in lows[min(clause.verb.length, len(start.split())) :] if low not in _DROPPED]
         for phrase in lexicon.idioms.get(start, ()):
             parts = [part for part in phrase.split() if part not in _DROPPED]
-            if parts and behind[-len(parts) :] == parts and len(behind) - len(parts) <= MOST_BETWEEN:
-                return f"{start} ... {phrase}" if len(behind) > len(parts) else f"{start} {phrase}"
+            for at in range(min(len(behind) - len(parts), MOST_BETWEEN) + 1):
+                end = at + len(parts)
+                ends = end == len(behind) or parts[:1] == [] or len(parts) > 1 or parts[0] not in _PARTICLES
+                if (
+                    parts
+                    and ends
+                    and behind[at:end] == parts
+                    and (end == len(behind) or behind[end] in PREPOSITIONS | {"with"})
+                ):
+                    return f"{start} ... {phrase}" if at else f"{start} {phrase}"
     return ""
 
 
+_PARTICLES = frozenset({"up", "out", "off", "on", "over", "away", "in", "back", "by", "through", "down", "about"})
 MOST_BETWEEN = 3
 """So many words may stand between the verb and the rest: "give the old man a hand"."""

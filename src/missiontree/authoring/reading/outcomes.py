@@ -30,7 +30,8 @@ class Goal:
     """A clause that is understood: what is to be built (nothing for a statement), how it was read, what was taken for granted.
 
     ``slots`` is the number of arguments that its words fill; ``returns`` tells that something is brought back,
-    ``wished`` that somebody needs it, which a later clause may ask for in full.
+    ``standing`` are the robot types that the mission allows for anything that is added (none: all),
+    ``wished`` tells that somebody needs it, which a later clause may ask for in full.
     """
 
     clause: Clause
@@ -39,6 +40,7 @@ class Goal:
     assumptions: tuple[Reason, ...] = ()
     slots: int = 0
     wished: bool = False
+    standing: tuple[str, ...] = ()
     returns: bool = False
 
 

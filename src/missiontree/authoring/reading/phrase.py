@@ -58,7 +58,8 @@ class Phrase:
     def several(self) -> bool:
         """Whether more than one is meant, going by the words: "all staff", "crates"; not "Thomas", which is a name."""
         name_of_its_own = not self.determined and self.name[:1].isupper() and kind_of(self.name) is None
-        return self.every or self.count is not None or (is_plural(self.name) and not name_of_its_own)
+        one = self.text.lower().split()[:1] in (["a"], ["an"], ["one"], ["this"], ["that"])
+        return self.every or self.count is not None or (not one and is_plural(self.name) and not name_of_its_own)
 
     @property
     def is_own_name(self) -> bool:

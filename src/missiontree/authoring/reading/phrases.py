@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 
-from missiontree.authoring.language.kinds import kind_of
-from missiontree.authoring.language.lexicon import Lexicon, phrases_of
+from missiontree.authoring.language.kinds import is_listed, kind_of
+from missiontree.authoring.language.lexicon import Lexicon, PhraseTable, phrases_of
 from missiontree.authoring.reading.phrase import Phrase, kind_of_phrase
-from missiontree.authoring.reading.plurals import is_plural
+from missiontree.authoring.reading.plurals import is_plural, singular
 from missiontree.authoring.reading.quantity import number_of, quantity_of
 from missiontree.authoring.reading.words import Word
 
@@ -17,6 +18,9 @@ ONES = frozenset({"one", "ones"})
 MAX_PHRASE_WORDS = 24
 EXCEPTIONS = {"but", "except", "excluding", "other than"}
 _NEAR = frozenset({"with", "by", "near", "beside", "for", "to", "from"})
+_AFTER_LOST = frozenset({"somewhere", "since", "again", "yesterday", "and", ","})
+_TITLES_ALONE = frozenset({"mr", "mrs", "ms", "miss", "dr", "sir", "messrs"})
+_THE = frozenset({"the", "my", "your", "his", "her", "its", "our", "their"})
 _SOME_OF = frozenset({"couple", "pair", "lot", "bunch", "number", "handful", "dozen", "half", "most", "some", "few"})
 _GONE = phrases_of("statements", "gone")
 _PAST = frozenset({"yesterday", "this", "last", "ago"})
@@ -25,6 +29,9 @@ _BEFORE_NOUNS = frozenset({"light", "heavy", "old", "young", "dear", "poor", "bl
 _NOT_DESCRIBING = frozenset(
     {
         "using",
+        "or",
+        "either",
+        "nor",
         "help",
         "order",
         "sequence",
@@ -58,6 +65,8 @@ class PhraseReader:
         self.known = known or {}  # names of the scene, to their base kinds
         self._small = lexicon.words
         self._determiners = lexicon.table("determiners")
+        names = {tuple(name.split()): name for name in self.known if {"and", "&", ","} & set(name.split())}
+        self._with_and = PhraseTable(names)
         self._read = lru_cache(maxsize=4096)(self._one)
 
     def phrases(self, words: Sequence[Word]) -> tuple[Phrase, ...] | None:
@@ -68,14 +77,19 @@ class PhraseReader:
             return (whole,)
         if words[0].low == "both" and any(word.low == "and" for word in words):
             words = words[1:]  # "both Anna and Bob"
-        read = [self._read(part) for part in _parts(words)]
-        return tuple(phrase for phrase in read if phrase is not None) if None not in read else None
+        read = [self._read(part) for part in _numbered_alike(_parts(words, self._with_and))]
+        found = tuple(phrase for phrase in read if phrase is not None)
+        return _all_but_these(found) if len(found) == len(read) else None
 
     def parts(self, words: Sequence[Word]) -> tuple[tuple[Word, ...], ...] | None:
         """The words of each phrase; None if they are not wholly phrases."""
         if self.phrases(words) is None:
             return None
-        return (tuple(words),) if self._whole_name(tuple(words)) is not None else tuple(_parts(words))
+        return (
+            (tuple(words),)
+            if self._whole_name(tuple(words)) is not None
+            else tuple(_numbered_alike(_parts(words, self._with_and)))
+        )
 
     def kind_of(self, phrase: Phrase) -> str | None:
         """Base kind of who is spoken of: the scene's, that of the noun, or person for a name; None if that cannot be said."""
@@ -121,6 +135,10 @@ class PhraseReader:
         behind = words[end:]
         if not self._is_name(name):
             return None
+        lost_owner = any(word.low in self._small["lost"] for word in states) and name[0].low.endswith("'s")
+        one_alone = len(name) == 1 and name[0].low in ONES and not (many.other or many.ordinal or behind)
+        if lost_owner or one_alone or (many.other and not many.determined):
+            return None
         if behind and behind[0].low == "of" and name[-1].low in ONES | _SOME_OF:
             return None
         if behind and behind[0].low == "of":
@@ -137,13 +155,23 @@ class PhraseReader:
             determined=(many.determined if many.length else start > 0) or "'" in name[0].text,
             states=tuple(word.low for word in states),
             description=_text(behind),
-            lost=any(word.low in self._small["lost"] for word in (*states, *behind)) or _is_gone(behind),
+            lost=any(word.low in self._small["lost"] for word in states) or self._is_lost(behind) or _is_gone(behind),
             every=many.every,
             count=many.count,
             other=many.other,
             ordinal=many.ordinal,
             without=left_out,
         )
+
+    def _is_lost(self, behind: tuple[Word, ...]) -> bool:
+        """Whether a description says that who is spoken of is lost, and not that they lost something."""
+        lows = [word.low for word in behind]
+        for place, low in enumerate(lows):
+            following = lows[place + 1] if place + 1 < len(lows) else ""
+            ends = not following or following in self._small["describing"] | _AFTER_LOST
+            if low in self._small["lost"] and ends and not {"whose", "following", "with"} & set(lows[:place]):
+                return True
+        return False
 
     def _left_out(self, behind: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Phrase, ...] | None]:
         """The words before a "but", and whom the words behind it leave out of all; None for them if they name nobody."""
@@ -174,11 +202,20 @@ class PhraseReader:
 
     def _everybody(self, words: tuple[Word, ...]) -> Phrase | None:
         """Words such as "everyone in the building", "anybody who is trapped": all people that the words fit."""
-        if words[0].low not in self._small["everybody"] or not self._is_description(words[1:]):
+        if words[0].low not in self._small["everybody"]:
+            return None
+        said, left_out = self._left_out(words[1:])
+        if left_out is None or not self._is_description(said):
             return None
         lost = any(word.low in self._small["lost"] for word in words[1:])
         return Phrase(
-            name=words[0].low, text=_text(words), description=_text(words[1:]), every=True, lost=lost, determined=False
+            name=words[0].low,
+            text=_text(words),
+            description=_text(said),
+            every=True,
+            lost=lost,
+            determined=False,
+            without=left_out,
         )
 
     def _belonging(self, behind: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Word, ...]]:
@@ -218,6 +255,8 @@ class PhraseReader:
 
     def _states(self, words: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Word, ...]]:
         count = 0
+        if len(words) > 1 and is_listed(_text(words)):
+            return (), words
         while count < len(words) - 1 and (
             words[count].low in self._small["lost"]
             or words[count].low in self._small["states"]
@@ -232,6 +271,10 @@ class PhraseReader:
         lows = [word.low for word in words]
         if lows[0] in self._small["directions"] and len(lows) == 1:
             return False
+        if lows[-1] in _TITLES_ALONE and len(lows) == 1:
+            return False
+        if len(lows) == 1 and lows[0] in self._small["lost"] and kind_of(lows[0]) is None:
+            return False
         if lows[-1] in ONES:  # "the blue one"
             return all(self._may_be_named(low, 0, 2, modifies=True) for low in lows[:-1])
         known = self._known_words(lows)
@@ -241,7 +284,8 @@ class PhraseReader:
             follows_known = place + 1 < len(lows) and known[place + 1]
             if place > 0 and is_letter(words[place]) and not words[place - 1].text.isupper():
                 continue  # "Block A"
-            if not self._may_be_named(low, place, len(lows), modifies=follows_known):
+            named = words[place].text[:1].isupper()
+            if not self._may_be_named(low, place, len(lows), modifies=follows_known or named):
                 return False
             verb = self._lexicon.verb_at(lows, place, "base", "past")
             if place > 0 and verb is not None and words[place].text[:1].islower():
@@ -335,12 +379,57 @@ def is_letter(word: Word) -> bool:
     return len(word.text) == 1 and word.text.isupper()
 
 
-def _parts(words: Sequence[Word]) -> Iterator[tuple[Word, ...]]:
-    """Split at commas and *and*, save that of "between the hall and the yard"."""
+def _numbered_alike(parts: Iterable[tuple[Word, ...]]) -> Iterator[tuple[Word, ...]]:
+    """The parts in full: "docks 1, 2 and 3" are dock 1, dock 2 and dock 3."""
+    before: tuple[Word, ...] = ()
+    listed = list(parts)
+    for place, part in enumerate(listed):
+        made: tuple[Word, ...]
+        following = listed[place + 1] if place + 1 < len(listed) else ()
+        if (
+            len(part) == 2
+            and part[0].low in _THE
+            and _says_which(part[1])
+            and len(following) > 1
+            and following[0].low not in _THE
+        ):
+            made = (*part, following[-1])  # "the white and black van"
+        elif len(part) == 1 and _designates(part[0]) and len(before) > 1:
+            made = (*before[:-1], part[0])
+        elif len(following) == 1 and _designates(following[0]) and len(part) > 1 and _designates(part[-1]):
+            noun = part[-2]
+            made = (*part[:-2], Word(singular(noun.text), singular(noun.low)), part[-1])
+        else:
+            made = part
+        before = made if made and _designates(made[-1]) else ()
+        yield made
+
+
+def _says_which(word: Word) -> bool:
+    return kind_of(word.low) is None and word.text.islower() and word.text.isalpha()
+
+
+def _designates(word: Word) -> bool:
+    return word.text.isdecimal() or is_letter(word)
+
+
+def _all_but_these(phrases: tuple[Phrase, ...]) -> tuple[Phrase, ...]:
+    """In "all people except Anna and Bob", Bob is left out as well."""
+    for place, phrase in enumerate(phrases[:-1]):
+        if phrase.without:
+            return (*phrases[:place], replace(phrase, without=(*phrase.without, *phrases[place + 1 :])))
+    return phrases
+
+
+def _parts(words: Sequence[Word], names: PhraseTable) -> Iterator[tuple[Word, ...]]:
+    """Split at commas and *and*, save those of a name and that of "between the hall and the yard"."""
     part: list[Word] = []
-    for word in words:
+    lows_all = [word.low for word in words]
+    inside = 0
+    for place, word in enumerate(words):
         lows = [held.low for held in part]
-        if word.low == "and" and "between" in lows and "and" not in lows:
+        inside = max(inside, place + hit[1] if (hit := names.at(lows_all, place)) is not None else 0)
+        if place < inside or (word.low == "and" and "between" in lows and "and" not in lows):
             part.append(word)
         elif word.low in {"and", ",", "&"}:
             if part:

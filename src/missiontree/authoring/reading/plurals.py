@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from missiontree.authoring.language.kinds import kind_of
+from missiontree.authoring.language.kinds import is_abstract, kind_of
 
 _SINGULAR = frozenset({"gas", "lens", "canvas", "atlas", "news"})
 SAME = frozenset({"sheep", "deer", "fish", "cattle", "livestock", "staff", "personnel", "poultry", "ones"})
@@ -22,6 +22,19 @@ _IRREGULAR = {
 }
 
 
+_ENDINGS = (
+    ("men", "man"),
+    ("ies", "ie"),
+    ("ies", "y"),
+    ("ves", "ve"),
+    ("ves", "f"),
+    ("ves", "fe"),
+    ("es", "e"),
+    ("es", ""),
+    ("s", ""),
+)
+
+
 def is_plural(name: str) -> bool:
     """Whether the noun looks like more than one."""
     last = name.lower().split()[-1]
@@ -36,15 +49,19 @@ def is_plural(name: str) -> bool:
 
 def singular(noun: str) -> str:
     """The noun for one of several: crates, crate; boxes, box; children, child."""
-    if noun in _IRREGULAR:
-        return _IRREGULAR[noun]
-    if noun.endswith("men") and len(noun) > 5:
-        return noun[:-3] + "man"
-    if noun.endswith("ies") and len(noun) > 4:
-        return noun[:-3] + "y"
-    if noun.endswith(("ses", "xes", "ches", "shes", "zes")) and kind_of(noun[:-1]) is None:
-        return noun[:-2]
-    return noun[:-1] if is_plural(noun) and noun.endswith("s") else noun
+    before, blank, last = noun.rpartition(" ")
+    if blank:
+        return f"{before} {singular(last)}"
+    if noun.lower() in _IRREGULAR:
+        one = _IRREGULAR[noun.lower()]
+        return one.capitalize() if noun[:1].isupper() else one
+    if not is_plural(noun) or noun.lower() in SAME:
+        return noun
+    forms = [noun[: -len(many)] + one for many, one in _ENDINGS if noun.lower().endswith(many)]
+    return next(
+        (form for form in forms if kind_of(form.lower()) is not None or is_abstract(form.lower())),
+        (forms or [noun])[-1],
+    )
 
 
 def plural(noun: str) -> str:

@@ -14,7 +14,9 @@ Groups = Sequence[tuple[Mention, ...]]
 """Those named together in one clause, slot by slot."""
 
 
-def antecedent(phrase: Phrase, said: Sequence[Groups], beside: Collection[str] = ()) -> tuple[Mention, ...]:
+def antecedent(
+    phrase: Phrase, said: Sequence[Groups], beside: Collection[str] = (), start: int = 0
+) -> tuple[Mention, ...]:
     """
     Whom a pronoun means.
 
@@ -26,6 +28,8 @@ def antecedent(phrase: Phrase, said: Sequence[Groups], beside: Collection[str] =
         Groups of mentions, clause by clause.
     beside
         Names that stand in the same clause, and so are meant by no pronoun in it.
+    start
+        Index of the first clause of the sentence under way.
 
     Raises
     ------
@@ -35,6 +39,8 @@ def antecedent(phrase: Phrase, said: Sequence[Groups], beside: Collection[str] =
     said = [[tuple(m for m in group if m.name not in beside) for group in groups] for groups in said]
     if phrase.pronoun == "several":
         return _antecedents(phrase, said)
+    if phrase.pronoun == "person":
+        return (_person(phrase, said, start),)
     for groups in reversed(said):
         fitting = {m.name: m for group in groups for m in group if fits(m, phrase)}
         if phrase.pronoun == "place" and fitting:
@@ -49,6 +55,30 @@ def antecedent(phrase: Phrase, said: Sequence[Groups], beside: Collection[str] =
         if len(places) == 1 and all(mention.kind == "place" for mention in places.values()):
             return tuple(places.values())
     raise UnclearError(f"it is not clear what {phrase.text!r} means")
+
+
+def _person(phrase: Phrase, said: Sequence[Groups], start: int) -> Mention:
+    """Whom "him" or "her" means: the one whose gender is known to be that, or the only one of the nearest clause."""
+    nearest = next((found for groups in reversed(said) if (found := _fitting(groups, phrase))), {})
+    everyone = {name: mention for groups in said for name, mention in _fitting(groups, phrase).items()}
+    certain = {name: m for name, m in everyone.items() if gender_of(m.label) is not None}
+    if len(certain) == 1 and phrase.name in _GENDERED:
+        return next(iter(certain.values()))
+    if not nearest:
+        raise UnclearError(f"it is not clear what {phrase.text!r} means")
+    here = any(_fitting(groups, phrase) for groups in said[start:])
+    if not here and len(everyone) > 1 and not (len(certain) == 1 and set(nearest) == set(certain)):
+        raise _which(phrase, everyone.values())
+    if len(nearest) > 1 or (certain and phrase.name in _GENDERED and not set(nearest) & set(certain)):
+        raise _which(phrase, (certain or nearest).values())
+    return next(iter(nearest.values()))
+
+
+def _fitting(groups: Groups, phrase: Phrase) -> dict[str, Mention]:
+    return {mention.name: mention for group in groups for mention in group if fits(mention, phrase)}
+
+
+_GENDERED = frozenset({"he", "him", "she", "her"})
 
 
 def _antecedents(phrase: Phrase, said: Sequence[Groups]) -> tuple[Mention, ...]:
@@ -88,13 +118,16 @@ def fits(mention: Mention, phrase: Phrase) -> bool:
 
 
 _FEMALE = frozenset(word for (word,) in phrases_of("statements", "female"))
+_WOMEN = frozenset(word for (word,) in phrases_of("statements", "women"))
+_MEN = frozenset(word for (word,) in phrases_of("statements", "men"))
 _MALE = frozenset(word for (word,) in phrases_of("statements", "male"))
 
 
 def gender_of(name: str) -> str | None:
     """What the words of a name say: ``female``, ``male``, or nothing."""
     words = set(name.lower().replace("'s", "").split())
-    female, male = bool(words & _FEMALE), bool(words & _MALE)
+    names = {word.lower() for word in name.replace("'s", "").split() if word[:1].isupper()}
+    female, male = bool(words & _FEMALE or names & _WOMEN), bool(words & _MALE or names & _MEN)
     return None if female == male else "female" if female else "male"
 
 

@@ -85,7 +85,7 @@ def quantity_of(words: Sequence[Word]) -> Quantity:
 def number_of(word: str) -> int | None:
     """The number that a word says, from 2 to 20; None if it says none."""
     if word.isdecimal() and word.isascii():
-        return int(word) if 2 <= int(word[:4]) <= MAX_COUNT else None
+        return int(word) if len(word) <= 2 and 2 <= int(word) <= MAX_COUNT else None
     return NUMBERS.get(word)
 
 

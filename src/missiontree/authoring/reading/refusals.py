@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 from missiontree.authoring.language.lexicon import Lexicon
@@ -13,6 +13,7 @@ from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.phrases import PhraseReader
 from missiontree.authoring.reading.places import stands_at
 from missiontree.authoring.reading.remarks import Read, Said
+from missiontree.authoring.reading.words import Word
 from missiontree.mission.scene import Scene
 
 
@@ -30,6 +31,10 @@ class Refusals:
         for phrase in phrases:
             if phrase.name.lower().split()[-1] in {"robot", "robots"} and phrase.name.lower() not in self.phrases.known:
                 raise UnclearError(f"{phrase.text!r} does things; it is not clear what is to be done with it")
+            if phrase.name.lower() in self.advice.short_names and phrase.text.lower().startswith("the "):
+                raise UnclearError(
+                    f"{phrase.text!r} may be a robot of the fleet; say 'with' or 'use' before it if it does something"
+                )
             named = self.advice.named_in(phrase.text)
             if named and phrase.name.lower() not in self.phrases.known:
                 raise UnclearError(self.advice.on(named[0]))
@@ -54,6 +59,12 @@ class Refusals:
 
     def two_places(self, phrases: tuple[Phrase, ...]) -> None:
         """In "the child in the park and the forest" the forest is no second child."""
+        where = phrases[-1].description.lower().split()[:1]
+        shared = where and where[0] in {"in", "at", "on", "from"} and len(phrases) > 1
+        if shared and any(phrase.several and not phrase.description for phrase in phrases[:-1]):
+            raise UnclearError(
+                f"it is not clear whether {phrases[-1].description!r} is said of {phrases[0].text} as well"
+            )
         kinds = [self.phrases.kind_of(phrase) for phrase in phrases]
         for place, phrase in enumerate(phrases[:-1]):
             if phrase.description and kinds[place] != "place" and "place" in kinds[place + 1 :]:
@@ -72,10 +83,18 @@ class Refusals:
                 ):
                     raise UnclearError(f"the scene has {mention.label} elsewhere, not at {site.label}")
 
-    def company(self, phrases: Iterable[Phrase]) -> None:
+    def companions(self, words: Iterable[Word], goals: Collection[str]) -> None:
+        """In "go to the port together with Anna", nobody says whether Anna is to be brought there."""
+        joined = {word.text.lower() for word in words} & {"together with", "along with"}
+        if joined and set(goals) & {"reach", "search", "look at", "follow"}:
+            raise UnclearError(f"it is not clear whether who stands behind {joined.pop()!r} comes along")
+
+    def company(self, phrases: Iterable[Phrase], *, goes: bool) -> None:
         """In "the green box with the blue box", the second may be meant to come along."""
         for phrase in phrases:
             words = phrase.description.lower().split()
+            if words[:1] == ["with"] and goes:
+                raise UnclearError(f"it is not clear whether {phrase.description!r} says who or what comes along")
             name = " ".join(
                 words[2:] if words[1:2] and words[1] in {"the", "a", "an", "his", "her", "its"} else words[1:]
             )

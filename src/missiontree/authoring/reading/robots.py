@@ -39,7 +39,7 @@ _BEGINS = frozenset(
     | {"please", "next", "only", "either", "meanwhile", "afterwards"}
 )
 _SINGLE = frozenset({"a", "an", "one"})
-_DETERMINERS = frozenset({"the", "our", "my", "your", "any", "either", "both", *_SINGLE})
+_DETERMINERS = frozenset({"the", "our", "my", "your", "any", "either", *_SINGLE})
 _GOES_ON = frozenset({"and", "then", "shares"})
 
 
@@ -78,6 +78,7 @@ def robot_names(fleet: Fleet, known: frozenset[str]) -> PhraseTable | None:
         own = [robot.id for robot in kind.members] if len(kind.members) == 1 else []
         for name in (kind.id, kind.label, *own):
             table |= dict.fromkeys(_spellings(name), kind.id)
+    table |= {form: kind for form, kind in by_last_word(fleet).items() if form not in table}
     table = {form: kind for form, kind in _with_plurals(table).items() if " ".join(form) not in known}
     return PhraseTable(table) if table else None
 
@@ -90,9 +91,22 @@ def robots_carried(clauses: Sequence[Clause]) -> tuple[Clause, ...]:
         new = clause.relation not in _GOES_ON or index == 0 or clause.sentence != clauses[index - 1].sentence
         if new or clause.leads:
             leading = clause.asked if clause.leads else ()
-        goes_on = clause.relation in _GOES_ON and not clause.asked
+        goes_on = clause.relation in _GOES_ON and not clause.asked and not clause.own_subject
         kept.append(replace(clause, asked=leading) if goes_on else clause)
     return tuple(kept)
+
+
+def by_last_word(fleet: Fleet) -> dict[tuple[str, ...], str]:
+    """The last word of labels of several words, where one type alone has it: the scooter, for a mobile scooter."""
+    last: dict[str, list[str]] = {}
+    for kind in fleet.types:
+        words = [word.low for word in words_of_text(kind.label.replace("_", " ").replace("-", " "))]
+        if len(words) > 1:
+            last.setdefault(words[-1], []).append(kind.id)
+    generic = {"robot", "robots", "unit", "machine", "vehicle"}
+    return {
+        (word,): kinds[0] for word, kinds in last.items() if len(kinds) == 1 and word not in generic and word.isalpha()
+    }
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +125,8 @@ def named_at(names: PhraseTable, lows: Sequence[str], start: int, joins: frozens
     while True:
         article = place < len(lows) and lows[place] in _DETERMINERS
         hit = names.at(lows, place + article)
-        if hit is None:
+        following = lows[place + article + hit[1] : place + article + hit[1] + 2] if hit is not None else []
+        if hit is None or _is_numbered(following):
             break
         types.append(hit[0])
         end = place + article + hit[1]
@@ -124,6 +139,12 @@ def named_at(names: PhraseTable, lows: Sequence[str], start: int, joins: frozens
     return Named(tuple(dict.fromkeys(types)), end - start, together) if types else None
 
 
+def _is_numbered(following: Sequence[str]) -> bool:
+    """Whether a number behind a type asks for one robot of it: "tele-robot 2"."""
+    number = following[1:2] if following[:1] in (["number"], ["no"]) else following[:1]
+    return bool(number) and number[0].isdecimal()
+
+
 OR = frozenset({"or", ","})
 """What joins robots of which any may do it."""
 
@@ -133,7 +154,8 @@ def _with_plurals(forms: dict[tuple[str, ...], str]) -> dict[tuple[str, ...], st
 
 
 def _spellings(name: str) -> set[tuple[str, ...]]:
-    texts = (name, name.replace("_", " "), name.replace("_", " ").replace("-", " "))
+    plain = name.replace("_", " ").replace("-", " ")
+    texts = (name, name.replace("_", " "), plain, plain.replace(" ", "-"), plain.replace(" ", ""))
     return {form for text in texts if (form := tuple(word.low for word in words_of_text(text)))}
 
 
@@ -171,9 +193,8 @@ class _Marker:
         return 0, ()
 
     def _robots(self, place: int) -> Named | None:
-        """The robot types that are named here; None too if they are to do it together, which no tree can ask for."""
-        named = named_at(self.names, self.lows, place, OR)
-        return named if named is None or len(named.types) > 0 else None
+        """The robot types that are named here, any of which may do it."""
+        return named_at(self.names, self.lows, place, OR)
 
     def _only(self, place: int) -> int:
         return int(self.lows[place : place + 1] in (["only"], ["just"], ["exclusively"]))
@@ -229,14 +250,17 @@ class _Marker:
     def _subject(self, place: int) -> tuple[int, tuple[Word, ...]] | None:
         """Words such as "the drone should ...", "only a drone may ...", "drone: ..."."""
         start = place + self._only(place)
-        named = self._robots(start)
+        named = named_at(self.names, self.lows, start, OR | {"and"})
         if named is None:
             return None
         end = start + named.length
         must = _MUST.at(self.lows, end)
         only_may = start > place or must is None or must[0] not in {"may", "can"}
         if must is not None and only_may and self._verb(end + must[1]):
-            return end + must[1] - place, (self._mark(place, end, named.types),)
+            marks = [named.types] if not named.together else [(kind,) for kind in named.types]
+            return end + must[1] - place, tuple(self._mark(place, end, types) for types in marks)
+        if named.together:
+            return None
         if self.lows[end : end + 1] in ([","], [":"]) and self._verb(end + 1):
             return end + 1 - place, (self._mark(place, end, named.types),)
         sent = {"send", "dispatch", "deploy"} & set(self.lows[max(0, place - 12) : place])
@@ -248,6 +272,8 @@ class _Marker:
         if going_on and self.lexicon.verb_at(self.lows, end + 1, "gerund") is not None:
             return end + 1 - place, (self._mark(place, end, named.types),)
         finite = self.lexicon.verb_at(self.lows, end, "third")
+        if finite is None and end > start and self.lows[end - 1].endswith("s"):
+            finite = self.lexicon.verb_at(self.lows, end, "base")  # "the porters carry the bed"
         if finite is not None:
             base = tuple(Word(part, part) for part in finite.phrase.split())
             return end + finite.length - place, (self._mark(place, end, named.types), *base)

@@ -29,6 +29,29 @@ _WHERE = ("in ", "at ", "inside ", "from ", "on ")
 _EVERYBODY = frozenset({"everyone", "everybody", "anyone", "anybody"})
 
 
+_BEHIND = frozenset({"of", "on", "in", "at", "for", "with", "to", "near", "by", "and", "&", "behind", "under", "from"})
+_TITLES = frozenset(
+    {
+        "dr",
+        "doctor",
+        "mr",
+        "mrs",
+        "ms",
+        "miss",
+        "prof",
+        "professor",
+        "sir",
+        "lady",
+        "von",
+        "van",
+        "de",
+        "der",
+        "the",
+        "of",
+    }
+)
+
+
 @dataclass(frozen=True)
 class SceneNames:
     """Looks for entities by what they are called; ``complete`` if somebody wrote down what the scene has."""
@@ -69,9 +92,9 @@ class SceneNames:
         words = {word for spelling in spellings(entity) for word in spelling.split()}
         traits = {word for trait in entity.traits for word in plain(trait).split()}
         kinds = {plain(kind) for kind in self.scene.lineage(entity.kind)} - {"object", "place"}
-        heads = {spelling.split()[-1] for spelling in spellings(entity) if spelling} | kinds
+        heads = {_head(spelling) for spelling in spellings(entity) if spelling} | kinds
         if self.scene.base_kind(entity.kind) == "person":
-            heads |= {spelling.split()[0] for spelling in spellings(entity) if spelling}
+            heads |= {word for word in words if word not in _TITLES}
         heads |= {
             word
             for spelling in spellings(entity)
@@ -84,7 +107,7 @@ class SceneNames:
         """Those among several whose traits fit what is said of them."""
         if len(found) < 2:
             return found
-        said = {word for part in (*phrase.states, phrase.description) for word in plain(part).split()}
+        said = {word for part in (*phrase.states, *_adjectives(phrase)) for word in plain(part).split()}
         fitting = [e for e in found if said & {w for text in (*e.traits, *spellings(e)) for w in plain(text).split()}]
         if not fitting and phrase.lost:
             fitting = [entity for entity in found if self.scene.whereabouts(entity).source != "known"]
@@ -102,6 +125,10 @@ class SceneNames:
             return found
         stands = {entity.id: stands_at(entity, place, self.scene) for entity in found}
         there = [entity for entity in found if stands[entity.id]]
+        if not there and phrase.several and len(found) > 1:
+            raise UnclearError(
+                f"the scene does not say which of {' and '.join(e.label for e in found)} are at {place.label}"
+            )
         if not there and all(verdict is False for verdict in stands.values()):
             raise UnclearError(f"the scene has {' and '.join(e.label for e in found)} elsewhere, not at {place.label}")
         return there or found
@@ -127,6 +154,20 @@ class SceneNames:
             f"the scene has no {phrase.name!r}; its {_PLURAL.get(kind or '', 'entities')} are {listed(alike)}. "
             "Name those that are meant, or declare them in the scene"
         )
+
+
+def _head(spelling: str) -> str:
+    """The noun of a name: house, in "house on the hill"."""
+    words = spelling.split()
+    end = next((at for at, word in enumerate(words) if at and word in _BEHIND), len(words))
+    return words[end - 1]
+
+
+def _adjectives(phrase: Phrase) -> tuple[str, ...]:
+    """What a relative clause says a thing is: red, in "the crate that is red"."""
+    words = phrase.description.lower().split()
+    says = len(words) > 2 and words[0] in {"that", "which", "who"} and words[1] in {"is", "are"}
+    return tuple(words[2:]) if says and not set(words) & _BEHIND else ()
 
 
 def _singular(noun: str) -> list[str]:

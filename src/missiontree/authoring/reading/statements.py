@@ -23,6 +23,7 @@ class Statement:
 
     phrases: tuple[Phrase, ...]
     hazards: tuple[str, ...]
+    losers: tuple[Phrase, ...] = ()
 
     @property
     def lost(self) -> bool:
@@ -80,6 +81,17 @@ def danger_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> tuple[
     if hit is None:
         return ()
     goes_on = behind[hit[1] : hit[1] + 1]
+    if not lexicon.hazards_in(behind) or {
+        "out",
+        "over",
+        "gone",
+        "extinguished",
+        "contained",
+        "fixed",
+        "stopped",
+        "false",
+    } & set(behind):
+        return ()
     told = not goes_on or goes_on[0] in _IS | _AT | {
         "was",
         "were",
@@ -170,10 +182,21 @@ def statement_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Sta
         behind += 1
     if not 0 < place < behind < len(lows) or (subjects := phrases.parts(words[:place])) is None:
         return None
-    hazards = tuple(dict.fromkeys(name for name, _, _ in lexicon.hazard_words.within(lows[behind:])))
+    hazards = tuple(dict.fromkeys(lexicon.hazards_in(lows[behind:])))
     if lows[behind] not in lexicon.words["lost"] and not (hazards and lexicon.hazard_words.at(lows, behind)):
         return None
     read = [phrases.phrases((*subject, *words[behind:])) for subject in subjects]
     if any(found is None or len(found) != 1 or found[0].pronoun for found in read):
         return None
-    return Statement(tuple(phrase for found in read if found is not None for phrase in found), hazards)
+    loser = () if words is clause.words else phrases.phrases(clause.words[: _subject_length(clause)]) or ()
+    losers = tuple(
+        phrase for phrase in loser if not phrase.pronoun and phrase.name.lower() not in {"somebody", "someone"}
+    )
+    return Statement(tuple(phrase for found in read if found is not None for phrase in found), hazards, losers)
+
+
+def _subject_length(clause: Clause) -> int:
+    """How many words say who has lost what follows; 0 if the clause says it otherwise."""
+    lows = [word.low for word in clause.words]
+    places = (at for at in range(1, min(len(lows), MOST_BEFORE)) for p in _LOSES if tuple(lows[at : at + len(p)]) == p)
+    return next(places, 0)

@@ -63,11 +63,12 @@ class Telling:
     def _stated(self, clause: Clause, stated: Statement) -> Goal | Trouble:
         try:
             self.hearing.refusals.robots(stated.phrases)
+            losers = tuple(m for phrase in stated.losers for m in self.hearing.speakers.resolve(phrase))
             groups = tuple(self.hearing.speakers.resolve(phrase) for phrase in stated.phrases)
         except UnclearError as unclear:
             return trouble("unclear", clause, str(unclear))
         mentions = tuple(mention for group in groups for mention in group)
-        self.hearing.speakers.remember((mentions,))
+        self.hearing.speakers.remember((mentions, losers) if losers else (mentions,))
         self.hearing.speakers.lost |= {mention.name for mention in mentions if stated.lost}
         self.hearing.hazards += stated.hazards
         self._statements.append((clause, mentions, stated.hazards))

@@ -17,12 +17,14 @@ from missiontree.authoring.reading.entities import Speakers
 from missiontree.authoring.reading.fitting import Fitting
 from missiontree.authoring.reading.hearing import Hearing
 from missiontree.authoring.reading.outcomes import Goal, Trouble, Unserved, trouble
+from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.wording import (
     GOING,
     MOVING,
     PREPOSITIONS,
     TO,
     by_doing,
+    exception_first,
     plain_order,
     receiver_behind,
     without_message,
@@ -81,6 +83,7 @@ class Understanding:
         if not (cut.whole or self._alike(cut.options)):
             return None
         made: list[Goal] = []
+        named: list[set[str]] = []
         after = before
         for words in cut.variants:
             self.hearing.speakers = before.kept()
@@ -90,7 +93,12 @@ class Understanding:
                 self.within = goal if self.within is None and unclear else self.within
                 return None
             made.append(goal)
+            named.append(
+                {m.name for groups in self.hearing.speakers.said[len(before.said) - 1 :] for g in groups for m in g}
+            )
             after = after.joined(self.hearing.speakers, len(before.said))
+        everybody = set[str]().union(*named)
+        after.open_choice |= {name for name in everybody if any(name not in names for names in named)}
         self.hearing.speakers = after
         return choice_of(clause, made)
 
@@ -148,8 +156,10 @@ class Understanding:
         before = self.hearing.speakers.kept()
         try:
             for candidate in ways:
-                if (goal := self.fitting.fitted(candidate, clause, worded)) is not None:
-                    return goal
+                said = (clause.words, worded) if candidate.is_own and clause.words != worded else (worded,)
+                for words in said:
+                    if (goal := self.fitting.fitted(candidate, clause, words)) is not None:
+                        return goal
                 self.hearing.speakers = before.kept()
         except (UnclearError, StepError) as unclear:
             return trouble("unclear", clause, str(unclear))
@@ -160,14 +170,31 @@ class Understanding:
     def _worded(self, clause: Clause) -> tuple[Word, ...]:
         """The words of a clause in plain order."""
         assert clause.verb is not None
-        goals = set(self.hearing.lexicon.goals_of.get(clause.verb.phrase, ()))
-        words = self._back(clause) if goals & MOVING else None
+        lexicon, length = self.hearing.lexicon, len(clause.verb.phrase.split())
+        goals = set(lexicon.goals_of.get(clause.verb.phrase, ()))
+        words = exception_first(self._at_that_place(clause, moves=bool(goals & GOING)), length)
         if "warn" in goals:
-            words = without_message(clause.words, self.hearing.lexicon)
-        words = words or plain_order(clause, moves=bool(goals & GOING))
-        if "bring" not in self.hearing.lexicon.goals_of.get(clause.verb.phrase, ()):
-            return words
-        return receiver_behind(words, len(clause.verb.phrase.split()), self.hearing.phrases)
+            return without_message(words, lexicon)
+        spoken = replace(clause, words=words)
+        back = self._back(spoken) if goals & MOVING else None
+        words = back or plain_order(spoken, moves=bool(goals & GOING))
+        return receiver_behind(words, length, self.hearing.phrases) if "bring" in goals else words
+
+    def _at_that_place(self, clause: Clause, *, moves: bool) -> tuple[Word, ...]:
+        """The words with "the crates there" as "the crates at the dock", where *there* is not where something goes."""
+        assert clause.verb is not None
+        length, made = len(clause.verb.phrase.split()), list[Word]()
+        for place, word in enumerate(clause.words):
+            last = place == len(clause.words) - 1
+            before = clause.words[place - 1].low if place else ""
+            describes = word.low == "there" and place > length and before not in PREPOSITIONS and not (last and moves)
+            if not describes:
+                made.append(word)
+                continue
+            (where,) = self.hearing.speakers.kept().resolve(Phrase("there", "there", pronoun="place"))
+            label = (Word(part, part.lower()) for part in where.label.split())
+            made += [Word("at", "at"), *(() if not where.determined and where.new else (Word("the", "the"),)), *label]
+        return tuple(made)
 
     def _back(self, clause: Clause) -> tuple[Word, ...] | None:
         """The words "take it back" as "take it to the lab", where it came from; None if they say where to, or not *back*."""

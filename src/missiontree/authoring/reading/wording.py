@@ -12,6 +12,7 @@ from missiontree.authoring.reading.words import Word
 
 TO = "to|into|onto|toward|towards"
 ANY = f"{TO}|at|in|on|from|with|for|inside|near|against|under|over|around|between|about|by"
+ANY_BUT_WITH = "|".join(word for word in ANY.split("|") if word != "with")
 PREPOSITIONS = frozenset(ANY.split("|"))
 _DETERMINERS = frozenset(
     {"the", "a", "an", "her", "his", "my", "our", "their", "its", "your", "this", "that", "these", "those"}
@@ -93,7 +94,7 @@ def with_object(clause: Clause, following: Clause | None) -> tuple[Word, ...]:
 
 MOVING = frozenset({"bring", "transport", "guide", "put"})
 """Goals that move somebody or something."""
-GOING = MOVING | {"reach", "rescue", "evacuate", "help"}
+GOING = MOVING | {"reach"}
 """Goals that lead somewhere."""
 
 
@@ -107,8 +108,6 @@ def plain_order(clause: Clause, *, moves: bool = True) -> tuple[Word, ...]:
         if place >= length and word.low in _PARTICLES and following in {*PREPOSITIONS, "home", "there"}:
             continue
         before = words[-1].low if words else ""
-        if word.low in {"there", "here"} and not following and place > length and not moves:
-            continue
         if word.low in {"home", "there"} and not following and place > length:
             object_her = before == "her" and place == length + 1
             if object_her or not (before in PREPOSITIONS | _DETERMINERS or before.endswith("'s")):
@@ -119,6 +118,17 @@ def plain_order(clause: Clause, *, moves: bool = True) -> tuple[Word, ...]:
 
 _GOING = frozenset({"going", "driving", "walking", "flying"})
 _BACK = frozenset({"it", "him", "her", "them", "there"})
+
+
+def exception_first(words: tuple[Word, ...], length: int) -> tuple[Word, ...]:
+    """Words such as "bring all crates to the hall except the red one" with the exception behind the crates."""
+    lows = [word.low for word in words]
+    place = next((at for at in range(len(lows) - 1, length, -1) if lows[at] in {"except", "but", "excluding"}), 0)
+    goal = next((at for at in range(length, place) if lows[at] in TO.split("|")), 0)
+    if not place or not goal or not {"all", "every", "each", "everyone", "everybody"} & set(lows[length:goal]):
+        return words
+    end = place - (lows[place - 1] == ",")
+    return (*words[:goal], *words[place:], *words[goal:end])
 
 
 def without_message(words: tuple[Word, ...], lexicon: Lexicon) -> tuple[Word, ...]:

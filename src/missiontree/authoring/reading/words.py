@@ -50,7 +50,7 @@ def words_of_text(text: str) -> tuple[Word, ...]:
     """The words and signs of a text; look-alike signs made alike, quotation marks left out."""
     plain = _DASH.sub(" , ", unicodedata.normalize("NFC", text).translate(_QUOTES))
     words = [Word(word, word.lower()) for word in _WORD.findall(plain)]
-    words = _joined_up(words)
+    words = _joined_up(_without_number_word(words))
     for place in range(len(words) - 1, 0, -1):  # "go home" as "go to home"
         if words[place].low in _ALONE and words[place].text.islower() and words[place - 1].low in _GO:
             words.insert(place, Word("", "to"))
@@ -59,6 +59,20 @@ def words_of_text(text: str) -> tuple[Word, ...]:
         for place, word in enumerate(words)
         if not (word.low == "." and place and words[place - 1].low in _TITLES) and not _needless(words, place)
     )
+
+
+def _without_number_word(words: list[Word]) -> list[Word]:
+    """The words with "dock number 1" and "dock #1" as "dock 1"."""
+    return [
+        word
+        for place, word in enumerate(words)
+        if not (
+            word.low in {"number", "nr", "#"}
+            and place
+            and words[place + 1 : place + 2]
+            and words[place + 1].low[0].isdigit()
+        )
+    ]
 
 
 def _joined_up(words: list[Word]) -> list[Word]:
