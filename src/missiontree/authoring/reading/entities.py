@@ -20,20 +20,7 @@ from missiontree.authoring.reading.scene_names import SceneNames
 from missiontree.mission.entity import Entity
 from missiontree.mission.scene import Scene
 
-# "All places" are all that the scene has, of whatever kind it says they are.
-_BASES = {
-    "place": ("place",),
-    "location": ("place",),
-    "site": ("place",),
-    "object": ("object",),
-    "thing": ("object",),
-    "item": ("object",),
-    "animal": ("animal",),
-    "person": ("person",),
-}
-_PLURAL = {"place": "places", "object": "objects", "animal": "animals", "person": "people"}
 _TWO = frozenset({"former", "latter"})
-_WHERE = ("in ", "at ", "inside ", "from ", "on ")
 _EVERYBODY = frozenset({"everyone", "everybody", "anyone", "anybody"})
 
 

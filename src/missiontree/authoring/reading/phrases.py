@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 from missiontree.authoring.language.kinds import is_listed, kind_of
-from missiontree.authoring.language.lexicon import Lexicon, PhraseTable, phrases_of
+from missiontree.authoring.language.lexicon import Lexicon, PhraseTable
+from missiontree.authoring.reading.describing import Descriptions
+from missiontree.authoring.reading.listing import all_but_these, is_letter, parts_of
 from missiontree.authoring.reading.phrase import Phrase, kind_of_phrase
-from missiontree.authoring.reading.plurals import is_plural, singular
+from missiontree.authoring.reading.plurals import is_plural
 from missiontree.authoring.reading.quantity import number_of, quantity_of
 from missiontree.authoring.reading.words import Word
 
@@ -17,44 +18,9 @@ MAX_NAME_WORDS = 5
 ONES = frozenset({"one", "ones"})
 MAX_PHRASE_WORDS = 24
 EXCEPTIONS = {"but", "except", "excluding", "other than"}
-_NEAR = frozenset({"with", "by", "near", "beside", "for", "to", "from"})
-_AFTER_LOST = frozenset({"somewhere", "since", "again", "yesterday", "and", ","})
 _TITLES_ALONE = frozenset({"mr", "mrs", "ms", "miss", "dr", "sir", "messrs"})
-_THE = frozenset({"the", "my", "your", "his", "her", "its", "our", "their"})
 _SOME_OF = frozenset({"couple", "pair", "lot", "bunch", "number", "handful", "dozen", "half", "most", "some", "few"})
-_GONE = phrases_of("statements", "gone")
-_PAST = frozenset({"yesterday", "this", "last", "ago"})
 _BEFORE_NOUNS = frozenset({"light", "heavy", "old", "young", "dear", "poor", "blind", "best"})
-# A description that holds one of these says what is to be done, or with what, and not who is meant.
-_NOT_DESCRIBING = frozenset(
-    {
-        "using",
-        "or",
-        "either",
-        "nor",
-        "help",
-        "order",
-        "sequence",
-        "turn",
-        "turns",
-        "means",
-        "to",
-        "into",
-        "onto",
-        "for",
-        "by",
-        "toward",
-        "towards",
-        "then",
-        "as",
-        "back",
-    }
-) | {
-    "during",
-    "within",
-    "through",
-    "via",
-}
 
 
 class PhraseReader:
@@ -64,6 +30,7 @@ class PhraseReader:
         self._lexicon = lexicon
         self.known = known or {}  # names of the scene, to their base kinds
         self._small = lexicon.words
+        self._descriptions = Descriptions(lexicon)
         self._determiners = lexicon.table("determiners")
         names = {tuple(name.split()): name for name in self.known if {"and", "&", ","} & set(name.split())}
         self._with_and = PhraseTable(names)
@@ -77,19 +44,15 @@ class PhraseReader:
             return (whole,)
         if words[0].low == "both" and any(word.low == "and" for word in words):
             words = words[1:]  # "both Anna and Bob"
-        read = [self._read(part) for part in _numbered_alike(_parts(words, self._with_and))]
+        read = [self._read(part) for part in parts_of(words, self._with_and)]
         found = tuple(phrase for phrase in read if phrase is not None)
-        return _all_but_these(found) if len(found) == len(read) else None
+        return all_but_these(found) if len(found) == len(read) else None
 
     def parts(self, words: Sequence[Word]) -> tuple[tuple[Word, ...], ...] | None:
         """The words of each phrase; None if they are not wholly phrases."""
         if self.phrases(words) is None:
             return None
-        return (
-            (tuple(words),)
-            if self._whole_name(tuple(words)) is not None
-            else tuple(_numbered_alike(_parts(words, self._with_and)))
-        )
+        return (tuple(words),) if self._whole_name(tuple(words)) is not None else tuple(parts_of(words, self._with_and))
 
     def kind_of(self, phrase: Phrase) -> str | None:
         """Base kind of who is spoken of: the scene's, that of the noun, or person for a name; None if that cannot be said."""
@@ -145,7 +108,7 @@ class PhraseReader:
             belonging, behind = self._belonging(behind)
             name = (*name, *belonging)
         behind, left_out = self._left_out(behind) if many.every else (behind, ())
-        if left_out is None or not self._is_description(behind):
+        if left_out is None or not self._descriptions.describe(behind):
             return None
         if many.count is not None and not is_plural(_text(name)):
             return None
@@ -155,23 +118,13 @@ class PhraseReader:
             determined=(many.determined if many.length else start > 0) or "'" in name[0].text,
             states=tuple(word.low for word in states),
             description=_text(behind),
-            lost=any(word.low in self._small["lost"] for word in states) or self._is_lost(behind) or _is_gone(behind),
+            lost=any(word.low in self._small["lost"] for word in states) or self._descriptions.say_lost(behind),
             every=many.every,
             count=many.count,
             other=many.other,
             ordinal=many.ordinal,
             without=left_out,
         )
-
-    def _is_lost(self, behind: tuple[Word, ...]) -> bool:
-        """Whether a description says that who is spoken of is lost, and not that they lost something."""
-        lows = [word.low for word in behind]
-        for place, low in enumerate(lows):
-            following = lows[place + 1] if place + 1 < len(lows) else ""
-            ends = not following or following in self._small["describing"] | _AFTER_LOST
-            if low in self._small["lost"] and ends and not {"whose", "following", "with"} & set(lows[:place]):
-                return True
-        return False
 
     def _left_out(self, behind: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Phrase, ...] | None]:
         """The words before a "but", and whom the words behind it leave out of all; None for them if they name nobody."""
@@ -205,7 +158,7 @@ class PhraseReader:
         if words[0].low not in self._small["everybody"]:
             return None
         said, left_out = self._left_out(words[1:])
-        if left_out is None or not self._is_description(said):
+        if left_out is None or not self._descriptions.describe(said):
             return None
         lost = any(word.low in self._small["lost"] for word in words[1:])
         return Phrase(
@@ -335,109 +288,6 @@ class PhraseReader:
             return low.isalnum() and 0 < place == count - 1
         adverb = low.endswith("ly") and len(low) > 4 and not modifies
         return low[0].isalpha() and not adverb
-
-    def _is_description(self, words: tuple[Word, ...]) -> bool:
-        """Whether the words only describe: no quantity, no time, nothing that stands by itself."""
-        if not words:
-            return True
-        small, lows = self._small, [word.low for word in words]
-        if len(words) == 1 and lows[0] in small["describing"] | small["relatives"]:
-            return False
-        states = small["lost"] | small["states"]
-        for place, low in enumerate(lows):
-            past = lows[0] in small["relatives"] and (low in _PAST or lows[place - 1] in _PAST)
-            timed = low in small["times"] and not past
-            if low in small["quantities"] or timed or low in small["decisive"]:
-                return False
-            purpose = low == "to" and lows[0] in small["relatives"] and self._lexicon.verb_at(lows, place + 1, "base")
-            if low in _NOT_DESCRIBING and not purpose:
-                return False
-            if not (low[0].isalnum() or low in {",", "'"}):
-                return False
-            if low[0].isdigit() and (place == 0 or lows[place - 1] in small["describing"] or place != len(lows) - 1):
-                return False
-            if low.endswith("ly") and len(low) > 4 and kind_of(low) is None:
-                return False
-        last = lows[-1]
-        if last in {"it", "him", "them", "this", "that", "these", "those"} and lows[-2:-1] and lows[-2] in _NEAR:
-            return False
-        return (
-            last not in small["describing"]
-            and last not in small["relatives"]
-            and (last not in small["determiners"] or last in states or is_letter(words[-1]))
-        )
-
-
-def _is_gone(words: Sequence[Word]) -> bool:
-    """Whether a description says that somebody went missing: "who ran away"."""
-    lows = tuple(word.low for word in words)
-    return any(lows[at : at + len(gone)] == gone for gone in _GONE for at in range(len(lows)))
-
-
-def is_letter(word: Word) -> bool:
-    """Whether a word is a capital letter that tells things of one kind apart: "Block A"."""
-    return len(word.text) == 1 and word.text.isupper()
-
-
-def _numbered_alike(parts: Iterable[tuple[Word, ...]]) -> Iterator[tuple[Word, ...]]:
-    """The parts in full: "docks 1, 2 and 3" are dock 1, dock 2 and dock 3."""
-    before: tuple[Word, ...] = ()
-    listed = list(parts)
-    for place, part in enumerate(listed):
-        made: tuple[Word, ...]
-        following = listed[place + 1] if place + 1 < len(listed) else ()
-        if (
-            len(part) == 2
-            and part[0].low in _THE
-            and _says_which(part[1])
-            and len(following) > 1
-            and following[0].low not in _THE
-        ):
-            made = (*part, following[-1])  # "the white and black van"
-        elif len(part) == 1 and _designates(part[0]) and len(before) > 1:
-            made = (*before[:-1], part[0])
-        elif len(following) == 1 and _designates(following[0]) and len(part) > 1 and _designates(part[-1]):
-            noun = part[-2]
-            made = (*part[:-2], Word(singular(noun.text), singular(noun.low)), part[-1])
-        else:
-            made = part
-        before = made if made and _designates(made[-1]) else ()
-        yield made
-
-
-def _says_which(word: Word) -> bool:
-    return kind_of(word.low) is None and word.text.islower() and word.text.isalpha()
-
-
-def _designates(word: Word) -> bool:
-    return word.text.isdecimal() or is_letter(word)
-
-
-def _all_but_these(phrases: tuple[Phrase, ...]) -> tuple[Phrase, ...]:
-    """In "all people except Anna and Bob", Bob is left out as well."""
-    for place, phrase in enumerate(phrases[:-1]):
-        if phrase.without:
-            return (*phrases[:place], replace(phrase, without=(*phrase.without, *phrases[place + 1 :])))
-    return phrases
-
-
-def _parts(words: Sequence[Word], names: PhraseTable) -> Iterator[tuple[Word, ...]]:
-    """Split at commas and *and*, save those of a name and that of "between the hall and the yard"."""
-    part: list[Word] = []
-    lows_all = [word.low for word in words]
-    inside = 0
-    for place, word in enumerate(words):
-        lows = [held.low for held in part]
-        inside = max(inside, place + hit[1] if (hit := names.at(lows_all, place)) is not None else 0)
-        if place < inside or (word.low == "and" and "between" in lows and "and" not in lows):
-            part.append(word)
-        elif word.low in {"and", ",", "&"}:
-            if part:
-                yield tuple(part)
-            part = []
-        else:
-            part.append(word)
-    yield tuple(part)
 
 
 def _text(words: Sequence[Word]) -> str:

@@ -24,9 +24,7 @@ _BASES = {
     "person": ("person",),
 }
 _PLURAL = {"place": "places", "object": "objects", "animal": "animals", "person": "people"}
-_TWO = frozenset({"former", "latter"})
 _WHERE = ("in ", "at ", "inside ", "from ", "on ")
-_EVERYBODY = frozenset({"everyone", "everybody", "anyone", "anybody"})
 
 
 _BEHIND = frozenset({"of", "on", "in", "at", "for", "with", "to", "near", "by", "and", "&", "behind", "under", "from"})
