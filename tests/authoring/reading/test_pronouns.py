@@ -92,7 +92,8 @@ def test_child_may_be_it_and_a_grown_up_may_not() -> None:
         ("Mr Brown", "male"),
         ("Brown", None),
         ("old woman", "female"),
-        ("Mother's brother", None),  # the words say both
+        ("Mother's brother", "male"),  # hers, and not she
+        ("lady king", None),  # the words say both
         ("HER", "female"),
     ],
 )

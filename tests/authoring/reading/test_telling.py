@@ -6,7 +6,7 @@ import pytest
 
 from missiontree.authoring.methods.outline import Outline, leaf_of
 from missiontree.authoring.reading.hearing import Hearing
-from missiontree.authoring.reading.outcomes import Goal, Trouble
+from missiontree.authoring.reading.outcomes import Goal, Trouble, Unserved
 from missiontree.authoring.reading.telling import Telling
 from missiontree.mission.entity import Entity
 from missiontree.mission.scene import Scene
@@ -14,7 +14,7 @@ from missiontree.routines.library import built_in
 from tests.authoring.reading.heard import clause_of, hearing, mention
 
 
-def told(text: str, heard: Hearing | None = None) -> Goal | Trouble:
+def told(text: str, heard: Hearing | None = None) -> Goal | Unserved | Trouble:
     return Telling(heard or hearing()).told(clause_of(text))
 
 
@@ -107,3 +107,25 @@ def test_statement_that_changes_nothing_is_told() -> None:
     assert [reason.node for reason in telling.unused_statements([])] == ["Cat", "House"]
     heard.called_for.add("fire")  # somebody was called for it
     assert [reason.node for reason in telling.unused_statements([])] == ["Cat"]
+
+
+@pytest.mark.parametrize(
+    ("text", "verb"), [("wax the skis", "wax"), ("paint it", "paint"), ("sample all casks", "sample")]
+)
+def test_order_with_a_verb_that_nobody_serves_is_not_misunderstood(text: str, verb: str) -> None:
+    found = told(text)
+    assert isinstance(found, Unserved)
+    assert found.verb == verb
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "wax skis",  # may be a name
+        "paint the fence is dry",  # tells something
+        "blorp the box",
+        "wax",
+    ],
+)
+def test_what_may_be_no_order_is_asked_about(text: str) -> None:
+    assert trouble(text).reason.rule == "verb_unknown"

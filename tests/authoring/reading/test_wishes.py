@@ -73,6 +73,7 @@ def test_need_that_only_tells_when_is_no_order() -> None:
         ("Anna to the lobby", "bring Anna to the lobby"),
         ("the crate and the bag to Anna", "bring the crate and the bag to Anna"),
         ("the crate to the hall or to the lab", "bring the crate to the hall or to the lab"),
+        ("the crate to the hall and the bag to the lab", "bring the crate to the hall and the bag to the lab"),
     ],
 )
 def test_clause_without_a_verb_is_an_errand(text: str, order: str) -> None:
@@ -88,7 +89,7 @@ def test_clause_without_a_verb_is_an_errand(text: str, order: str) -> None:
         "it to the hall",
         "the hall to the gate",  # no place is brought anywhere
         "the crate to the hall to the gate",
-        "the crate to the hall and the gate",
+        "the drone to the hall",  # rather an order to the drone
         "the blorp to the hall",  # what is no known noun is not guessed at
         "the crate quickly moved to the hall",
     ],

@@ -26,15 +26,18 @@ def order_as_said(
     earlier: list[Piece] = []
     relations = _relations(goals)
     beside = _beside(tops, relations)
+    closing = [piece for number, goal in enumerate(goals) if goal.clause.closes for piece in tops[number]]
     for unit in units:
         index = unit.indexes[0]
+        _all_before([piece for piece in tops[index] if piece not in closing], closing, made)
         goal, pieces, (relation, anchor) = goals[index], tops[index], relations[index]
         others = _anchored(goals, tops, index, anchor)
         if relation in {"before", "after"}:
             first, second = (others, pieces) if relation == "before" else (pieces, others)
             _all_before(first, second, made)
         elif relation == "earlier":
-            _all_before(pieces, others, made)
+            before = [piece for number in range(index) for piece in tops[number]] if goal.clause.opens else others
+            _all_before(pieces, before, made)
         elif relation == "meanwhile" and stage:
             _alongside(goal, "while", pieces, stage, library, made)
             stage = [*stage, *pieces]

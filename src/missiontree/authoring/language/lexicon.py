@@ -200,6 +200,13 @@ def _is_part_of_a_name(words: Sequence[str], at: int, length: int) -> bool:
     return noun and (following[0] == "of" or following[0] in {"alarm", "drill"} or kind_of(following[0]) is not None)
 
 
+@cache
+def english_verbs() -> frozenset[str]:
+    """Every English verb of one word, in its base form, whether anybody serves it or not; derived from WordNet."""
+    text = (resources.files("missiontree.authoring") / "language" / "verbs.txt").read_text(encoding="ascii")
+    return frozenset(word for line in text.splitlines() if not line.startswith("#") for word in line.split())
+
+
 def gerund(verb: str) -> str:
     """The -ing form: find, finding; locate, locating; get, getting."""
     if verb.endswith("ie"):

@@ -17,7 +17,11 @@ _PURPOSES = (("so", "that"), ("in", "order", "that"))
 
 
 def without_asides(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> tuple[Clause, tuple[Reason, ...]]:
-    """The clause without a closing contrast or purpose, and an assumption for what was left out."""
+    """
+    The clause without a closing contrast or purpose, and an assumption for what was left out.
+
+    The rule of the assumption is ``exception_unused`` for a contrast that may take somebody out of several: "but not pump 4".
+    """
     for what, starts in (("contrast", _CONTRASTS), ("purpose", _PURPOSES)):
         place = _last(clause.words, starts)
         if not place or clause.verb is None or place <= clause.verb.length:
@@ -35,7 +39,7 @@ def without_asides(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> t
         decisive = tuple(phrase for phrase, _, _ in lexicon.decisive.within([word.low for word in kept]))
         said = " ".join(word.text for word in clause.words[place:])
         reason = Reason(
-            rule=f"{what}_unused",
+            rule=f"{what if what == 'purpose' or behind[0].low in PREPOSITIONS else 'exception'}_unused",
             message=f"{said!r} says what is {'not meant' if what == 'contrast' else 'intended'}; nothing is planned for it.",
             severity="assumption",
         )

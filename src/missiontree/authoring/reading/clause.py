@@ -51,8 +51,8 @@ class Clause:
         Whether a comma stands before the *and* that joins it.
     listed
         Whether a comma alone joins it.
-    opens
-        Whether it is said to be the first of all.
+    opens, closes
+        Whether it is said to be the first, or the last, of all.
     own_subject
         Whether it says itself who or what it is about: "the box must be found".
     sentence
@@ -75,6 +75,7 @@ class Clause:
     listed: bool = False
     own_subject: bool = False
     opens: bool = False
+    closes: bool = False
     sentence: int = 0
 
     @property

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
+from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.language.lexicon import Lexicon, Verb
 from missiontree.authoring.reading.clause import SUBORDINATE, Clause, Relation
 from missiontree.authoring.reading.finishing import finished, says_something, without_openings
@@ -73,6 +74,7 @@ class _Splitter:
     listed: bool = False  # a comma alone joins the clause under way
     first: bool = False  # what was said last goes before what comes
     opens: bool = False  # the clause under way is the first of all
+    closes: bool = False  # the clause under way is the last of all
     pause: bool = False  # a comma stands before the clause under way
     either: bool = False  # the clause under way begins a choice
     leading: bool = False  # the clause under way is subordinate and its main clause comes behind it
@@ -149,6 +151,7 @@ class _Splitter:
         joined = self.lexicon.joins.at(lows, behind)
         if joined is not None and joined[0] == "first":
             self._close("earlier")
+            self.opens = True
             return behind + joined[1] - place
         if joined is not None or self._verb_follows(lows, behind):
             return 1 if not self.held else self._comma_or_and(lows, place)
@@ -174,6 +177,8 @@ class _Splitter:
             return False
         if lows[place : place + 1] == ["having"] and self.lexicon.verb_at(lows, place + length, "past") is None:
             return False
+        if relation == "then" and not (self.held or self.done):
+            self.closes = True
         if relation in {"then", "meanwhile"}:
             self._close("then" if relation == "then" else "meanwhile")
             return True
@@ -192,6 +197,10 @@ class _Splitter:
 
     def _said_last(self, relation: str) -> bool:
         """A word such as *afterwards* behind what is to be done says how it is joined to what stands before."""
+        if self.main is None and relation == "then":
+            if {"and", ","} & {word.low for word in self.held}:
+                return False  # "visit room 3, and room 5 after that" is said of the last of a list
+            self.closes = True
         if self.relation in {"and", "start"} and self.main is not None and not self.leading:
             self.relation, self.anchor = relation, self.main  # type: ignore[assignment]  # then, earlier or meanwhile
         return True
@@ -260,6 +269,8 @@ class _Splitter:
             return self._passive_follows(lows, place)  # a name, such as "Block B"
         gerunds = (verb := self._verb_of(self.held)) is not None and verb.form == "gerund"
         verb = self.lexicon.verb_at(lows, place, *(("gerund",) if gerunds else ("base",)))
+        if verb is not None and verb.length == 1 and lows[place + 1 : place + 2] in (["to"], ["for"]):
+            return kind_of(lows[place]) is None  # "and water to the sheep"
         return verb is not None or self._passive_follows(lows, place)
 
     @property
@@ -315,9 +326,10 @@ class _Splitter:
                     pause=self.pause,
                     listed=self.listed,
                     opens=self.opens,
+                    closes=self.closes,
                 )
             )
-            self.either = self.pause = self.listed = self.opens = False
+            self.either = self.pause = self.listed = self.opens = self.closes = False
             if not self.leading and self.relation not in SUBORDINATE:
                 self.main = index
         elif following in {"start", "and"}:

@@ -42,6 +42,9 @@ _NOT_DESCRIBING = frozenset(
 
 _NEAR = frozenset({"with", "by", "near", "beside", "for", "to", "from"})
 
+# Words that want a place said behind them: "the table next" has lost its "to the bed".
+_LEADING_ON = frozenset({"next", "close", "closest", "adjacent", "near", "according", "due", "prior", "thanks", "up"})
+
 _GONE = phrases_of("statements", "gone")
 
 _PAST = frozenset({"yesterday", "this", "last", "ago"})
@@ -79,6 +82,8 @@ class Descriptions:
             if low.endswith("ly") and len(low) > 4 and kind_of(low) is None:
                 return False
         last = lows[-1]
+        if last in _LEADING_ON:
+            return False
         if last in {"it", "him", "them", "this", "that", "these", "those"} and lows[-2:-1] and lows[-2] in _NEAR:
             return False
         return (

@@ -20,6 +20,7 @@ from missiontree.authoring.reading.scene_names import SceneNames
 from missiontree.mission.entity import Entity
 from missiontree.mission.scene import Scene
 
+_OWNERS = frozenset({"his", "her", "its", "their"})
 _TWO = frozenset({"former", "latter"})
 _EVERYBODY = frozenset({"everyone", "everybody", "anyone", "anybody"})
 
@@ -41,6 +42,9 @@ class Speakers:
     sentence: int = 0
     sentence_start: int = 0
     """Index among the clauses of the first of the sentence under way."""
+    owned: dict[str, tuple[str, int]] = field(default_factory=dict)
+    """By whose word something was called theirs, and in which clause."""
+    owned_here: set[str] = field(default_factory=set)
     open_choice: set[str] = field(default_factory=set)
     """Names of those of whom only one is chosen, so that no pronoun can mean them."""
     moved_away: set[str] = field(default_factory=set)
@@ -65,6 +69,8 @@ class Speakers:
             starts=dict(self.starts),
             open_choice=set(self.open_choice),
             moved_away=set(self.moved_away),
+            owned=dict(self.owned),
+            owned_here=set(self.owned_here),
         )
 
     def joined(self, other: Speakers, clauses: int) -> Speakers:
@@ -180,8 +186,23 @@ class Speakers:
             raise UnclearError(f"{phrase.text!r} may be any of {options}; say which one")
         return tuple(self._of_scene(entity, phrase) for entity in found)
 
+    def _again_in_short(self, phrase: Phrase) -> Mention | None:
+        """The one who was introduced with more words: the oak cask, for "the cask"; None if nobody was."""
+        if not phrase.text.lower().startswith("the ") or len(phrase.name.split()) > 1:
+            return None
+        noun = phrase.name.lower()
+        new = {m.name: m for groups in self.said for group in groups for m in group if m.new}
+        if any(mention.label.lower() == noun for mention in new.values()):
+            return None
+        alike = [mention for mention in new.values() if mention.label.lower().split()[-1] == noun]
+        if len(alike) > 1:
+            raise UnclearError(f"{phrase.text!r} may be {' or '.join(m.label for m in alike)}; say which one")
+        return self._again(alike[0]) if alike else None
+
     def _new(self, phrase: Phrase, expected: str) -> tuple[Mention, ...]:
         """Somebody whom the scene does not have; a question if that may be a slip."""
+        if (short := self._again_in_short(phrase)) is not None:
+            return (short,)
         if like := self.names.alike(phrase):
             options = ", ".join(sorted(entity.label for entity in like))
             raise UnclearError(f"the scene has {options}, and none of them is called {phrase.name!r}")
@@ -279,6 +300,28 @@ class Speakers:
             plural=phrase.several,
         )
 
+    def _refuse_others(self, phrase: Phrase) -> None:
+        """The other crate is another one only if one crate was told from it before."""
+        if not phrase.other:
+            return
+        noun = singular(phrase.name.lower().split()[-1])
+        named = [m for groups in self.said for group in groups for m in group if m.label.lower().split()[-1] == noun]
+        told = any(len(mention.label.split()) > 1 and mention.name not in self.open_choice for mention in named)
+        if phrase.several or not told or any(mention.name in self.open_choice for mention in named):
+            raise UnclearError(f"it is not clear what {phrase.text!r} means; give it a name")
+
+    def _refuse_another_owner(self, phrase: Phrase, label: str) -> None:
+        """The office of one and the office of another are two."""
+        owner = phrase.text.lower().split()[0]
+        if owner not in _OWNERS:
+            return
+        before = self.owned.setdefault(label, (owner, len(self.said)))
+        if before[0] != owner or (before[1] == len(self.said) and label in self.owned_here):
+            raise UnclearError(
+                f'it is not clear whose {phrase.name} {phrase.text!r} is; name it, as in "Anna\'s {phrase.name}"'
+            )
+        self.owned_here = {*self.owned_here, label} if before[1] == len(self.said) else set()
+
     def _introduced(self, phrase: Phrase, expected: str = "") -> Mention:
         first, label = phrase.text.lower().split()[0], title(phrase.name)
         if first in {"this", "that", "these", "those"} and label.lower() not in self.described:
@@ -288,6 +331,8 @@ class Speakers:
         if is_abstract(phrase.name) and not phrase.is_own_name and expected != "place":
             raise UnclearError(f"{phrase.text!r} is nothing that a robot can find, reach or carry")
         everybody = phrase.name.lower() in _EVERYBODY
+        self._refuse_others(phrase)
+        self._refuse_another_owner(phrase, label)
         if phrase.other and not phrase.several:
             phrase = replace(phrase, name=f"other {phrase.name}")
         elif phrase.every and not (everybody or phrase.count):

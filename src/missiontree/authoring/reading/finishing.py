@@ -30,7 +30,8 @@ def finished(words: tuple[Word, ...], lexicon: Lexicon, *, is_event: bool) -> Cl
         kept.pop()
     kept, _ = without_openings(kept, lexicon)
     before = kept
-    kept = caused(active(kept, lexicon, is_event=is_event), lexicon)
+    kept = caused(kept, lexicon)
+    kept = kept if kept is not before else active(kept, lexicon, is_event=is_event)
     kept = _particle_to_verb(kept, lexicon)
     lows = [word.low for word in kept]
     verb = lexicon.verb_at(lows, 0, "base", "gerund")

@@ -79,6 +79,7 @@ class Fitting:
         assert clause.verb is not None
         goals = self.hearing.lexicon.goals_of.get(clause.verb.phrase, ())
         self.hearing.refusals.companions(clause.words, goals)
+        self.hearing.refusals.sent(next(iter(read.values())), clause.verb.phrase)
         if not read:
             return
         *before, last = read.values()

@@ -50,7 +50,10 @@ class GoalReader:
             asides = (*asides, _without_verb(clause))
             clause = errand
         if clause.verb is None:
-            return self._telling.told(clause)
+            told = self._telling.told(clause)
+            if isinstance(told, Unserved):
+                self._remember_object(clause, 1)
+            return told
         words, cause = cause_of(with_object(clause, following))
         dangers = tuple(heard.lexicon.hazards_in([word.low for word in cause]))
         if cause and not dangers:
@@ -93,18 +96,21 @@ class GoalReader:
     ) -> Goal | Unserved | Trouble:
         """The goal with what was taken for granted; who it is about is kept for later clauses."""
         if isinstance(goal, Unserved):
-            self._remember_object(clause)
+            self._remember_object(clause, clause.verb.length if clause.verb is not None else 1)
         if not isinstance(goal, Goal):
             return goal
+        leaves = [leaf for piece in goal.outline.pieces for leaf in piece.leaves]
+        several = len(leaves) > 1 or any(mention.plural for leaf in leaves for mention in leaf.mentions)
+        if several and any(aside.rule == "exception_unused" for aside in asides):
+            return trouble("decisive_words", clause, "it is not clear who is left out", "Say 'all pumps but pump 4'.")
         goal = replace(goal, assumptions=(*asides, *goal.assumptions), wished=wished)
         self._outlines.append(goal.outline)
-        several = len(goal.outline.pieces) > 1 or clause.relation != "and"
-        return self._understanding.in_order(goal) if clause.in_order and several else goal
+        ordered = clause.in_order and (len(goal.outline.pieces) > 1 or clause.relation != "and")
+        return self._understanding.in_order(goal) if ordered else goal
 
-    def _remember_object(self, clause: Clause) -> None:
-        """Keep who or what an order that nobody serves is about, for pronouns of later clauses."""
-        assert clause.verb is not None
-        words = clause.words[clause.verb.length :]
+    def _remember_object(self, clause: Clause, length: int) -> None:
+        """Keep who or what an order that nobody serves is about, behind its verb, for pronouns of later clauses."""
+        words = clause.words[length:]
         read = self.hearing.phrases.phrases(words) or ()
         with suppress(UnclearError):
             mentions = tuple(mention for phrase in read for mention in self.hearing.speakers.resolve(phrase))

@@ -16,9 +16,11 @@ def idiom_in(clause: Clause, lexicon: Lexicon) -> str:
     lows = [word.low for word in clause.words]
     verb = clause.verb.phrase.split()
     for start in dict.fromkeys((" ".join(verb), verb[0])):
-        behind = [low for low in lows[min(clause.verb.length, len(start.split())) :] if low not in _DROPPED]
+        whole = lows[min(clause.verb.length, len(start.split())) :]
         for phrase in lexicon.idioms.get(start, ()):
-            parts = [part for part in phrase.split() if part not in _DROPPED]
+            bare = phrase.startswith("to ")  # "put the lamp next to the bed" puts nobody to bed
+            behind = whole if bare else [low for low in whole if low not in _DROPPED]
+            parts = phrase.split() if bare else [part for part in phrase.split() if part not in _DROPPED]
             for at in range(min(len(behind) - len(parts), MOST_BETWEEN) + 1):
                 end = at + len(parts)
                 ends = end == len(behind) or parts[:1] == [] or len(parts) > 1 or parts[0] not in _PARTICLES

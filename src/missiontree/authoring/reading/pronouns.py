@@ -58,7 +58,17 @@ def antecedent(
 
 
 def _person(phrase: Phrase, said: Sequence[Groups], start: int) -> Mention:
-    """Whom "him" or "her" means: the one whose gender is known to be that, or the only one of the nearest clause."""
+    """Whom "him" or "her" means; "Anna's dog" leaves open whether "her" is Anna."""
+    found = _nearest_person(phrase, said, start)
+    owners = [word.removesuffix("'s") for word in found.label.split() if word.endswith("'s")]
+    said_of = gender_of(phrase.name)
+    if gender_of(found.label) is None and said_of and said_of in {gender_of(owner) for owner in owners}:
+        raise UnclearError(f"{phrase.text!r} may mean {owners[-1]} or {found.label}; say which one")
+    return found
+
+
+def _nearest_person(phrase: Phrase, said: Sequence[Groups], start: int) -> Mention:
+    """The one whose gender is known to be that, or the only one of the nearest clause."""
     nearest = next((found for groups in reversed(said) if (found := _fitting(groups, phrase))), {})
     everyone = {name: mention for groups in said for name, mention in _fitting(groups, phrase).items()}
     certain = {name: m for name, m in everyone.items() if gender_of(m.label) is not None}
@@ -125,8 +135,9 @@ _MALE = frozenset(word for (word,) in phrases_of("statements", "male"))
 
 def gender_of(name: str) -> str | None:
     """What the words of a name say: ``female``, ``male``, or nothing."""
-    words = set(name.lower().replace("'s", "").split())
-    names = {word.lower() for word in name.replace("'s", "").split() if word[:1].isupper()}
+    own = [word for word in name.split() if not word.endswith("'s")]
+    words = {word.lower() for word in own}
+    names = {word.lower() for word in own if word[:1].isupper()}
     female, male = bool(words & _FEMALE or names & _WOMEN), bool(words & _MALE or names & _MEN)
     return None if female == male else "female" if female else "male"
 

@@ -31,7 +31,11 @@ class Refusals:
         for phrase in phrases:
             if phrase.name.lower().split()[-1] in {"robot", "robots"} and phrase.name.lower() not in self.phrases.known:
                 raise UnclearError(f"{phrase.text!r} does things; it is not clear what is to be done with it")
-            if phrase.name.lower() in self.advice.short_names and phrase.text.lower().startswith("the "):
+            short = self.advice.short_names
+            words = phrase.name.lower().split()
+            if (words[0] in short and len(words) > 1 and phrase.name.lower() not in self.phrases.known) or (
+                phrase.name.lower() in short and (phrase.text.lower().startswith("the ") or not phrase.determined)
+            ):
                 raise UnclearError(
                     f"{phrase.text!r} may be a robot of the fleet; say 'with' or 'use' before it if it does something"
                 )
@@ -51,6 +55,11 @@ class Refusals:
         """To bring each parcel to its owner is more than one errand, and nobody knows how many."""
         phrases = [phrase for group in read.values() for phrase in group]
         own = [phrase for phrase in phrases if phrase.text.lower().split()[0] in {"its", "their", "his", "her"}]
+        first, *later = read.values() if read else ((),)
+        for phrase in (phrase for group in later for phrase in group):
+            word = phrase.text.lower().split()[0]
+            if word in {"each", "every"} or (word == "their" and len(first) > 1 and phrase.several):
+                raise UnclearError(f"it is not clear who or what is meant for which of {phrase.text!r}")
         each = [phrase for phrase in phrases if phrase.text.lower().split()[0] in {"each", "every"}]
         if each and own:
             raise UnclearError(
@@ -82,6 +91,14 @@ class Refusals:
                     and stands_at(world.by_id[mention.name], world.by_id[site.name], world) is False
                 ):
                     raise UnclearError(f"the scene has {mention.label} elsewhere, not at {site.label}")
+
+    def sent(self, phrases: Iterable[Phrase], verb: str) -> None:
+        """Who sends a drone to the roof wants it to go there by itself."""
+        for phrase in phrases if verb in {"send", "dispatch"} else ():
+            name = phrase.name.lower()
+            if name.split()[-1] in self.lexicon.words["movers"] and name not in self.phrases.known:
+                lacks = f"names no robot of the fleet ({self.advice.types})"
+                raise UnclearError(f"{phrase.text!r} may be meant to go there by itself, and {lacks}")
 
     def companions(self, words: Iterable[Word], goals: Collection[str]) -> None:
         """In "go to the port together with Anna", nobody says whether Anna is to be brought there."""

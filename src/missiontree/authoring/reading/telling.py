@@ -7,11 +7,12 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 
+from missiontree.authoring.language.lexicon import english_verbs
 from missiontree.authoring.methods.mention import Mention, UnclearError
 from missiontree.authoring.methods.outline import Outline
 from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.hearing import Hearing
-from missiontree.authoring.reading.outcomes import Goal, Trouble, trouble
+from missiontree.authoring.reading.outcomes import Goal, Trouble, Unserved, trouble
 from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.statements import Statement, danger_of, feeling_of, place_of, site_of, statement_of
 from missiontree.mission.reason import Reason
@@ -26,7 +27,7 @@ class Telling:
     hearing: Hearing
     _statements: list[tuple[Clause, tuple[Mention, ...], tuple[str, ...]]] = field(default_factory=list)
 
-    def told(self, clause: Clause) -> Goal | Trouble:
+    def told(self, clause: Clause) -> Goal | Trouble | Unserved:
         """What a clause without a verb states; trouble if that is nothing of use."""
         if dangers := danger_of(clause, self.hearing.phrases, self.hearing.lexicon):
             self.hearing.hazards += dangers
@@ -78,11 +79,13 @@ class Telling:
             clause, Outline(), f"{clause.text!r}: a statement; {about}: {', '.join([*states, *stated.hazards])}"
         )
 
-    def _no_verb(self, clause: Clause) -> Trouble:
+    def _no_verb(self, clause: Clause) -> Trouble | Unserved:
         detail, hint = self.hearing.advice.on_order(clause)
         if detail:
             return trouble("robot_unclear", clause, detail, hint)
         first = clause.words[0].low
+        if _is_order(clause):
+            return Unserved(first, first)
         verbs = [phrase for phrase in self.hearing.lexicon.goals_of if " " not in phrase]
         near = difflib.get_close_matches(first[:40], verbs, n=2, cutoff=_ALIKE)
         hint = f"Did you mean {' or '.join(map(repr, near))}? " if near else ""
@@ -98,3 +101,38 @@ class Telling:
             if not ({mention.name for mention in mentions} & spoken or set(hazards) & self.hearing.called_for):
                 message = f"{clause.text!r} does not change what is planned."
                 yield Reason(rule="words_unused", message=message, severity="assumption", node=mentions[0].label)
+
+
+_SAYS = frozenset(
+    {"is", "are", "was", "were", "has", "have", "will", "must", "should", "can", "could", "may", "does", "did"}
+)
+
+
+def _is_order(clause: Clause) -> bool:
+    """Whether a clause is an order with a verb that nobody serves: "wax the skis"; a statement has a verb of its own elsewhere."""
+    lows = [word.low for word in clause.words]
+    return len(lows) > 1 and lows[0] in english_verbs() and lows[1] in _OBJECTS and not _SAYS & set(lows)
+
+
+_OBJECTS = frozenset(
+    {
+        "the",
+        "a",
+        "an",
+        "my",
+        "your",
+        "his",
+        "her",
+        "its",
+        "our",
+        "their",
+        "it",
+        "them",
+        "all",
+        "both",
+        "every",
+        "each",
+        "these",
+        "those",
+    }
+)

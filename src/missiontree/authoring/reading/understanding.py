@@ -31,6 +31,8 @@ from missiontree.authoring.reading.wording import (
 )
 from missiontree.authoring.reading.words import Word
 
+_TAKING = frozenset({"pick up", "collect", "get", "fetch", "grab", "retrieve", "recover"})
+
 
 @dataclass
 class Understanding:
@@ -185,7 +187,7 @@ class Understanding:
         assert clause.verb is not None
         length, made = len(clause.verb.phrase.split()), list[Word]()
         for place, word in enumerate(clause.words):
-            last = place == len(clause.words) - 1
+            last = place == len(clause.words) - 1 and clause.verb.phrase not in _TAKING
             before = clause.words[place - 1].low if place else ""
             describes = word.low == "there" and place > length and before not in PREPOSITIONS and not (last and moves)
             if not describes:

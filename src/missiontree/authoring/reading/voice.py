@@ -35,6 +35,11 @@ def active(words: list[Word], lexicon: Lexicon, *, is_event: bool) -> list[Word]
         asked = lows[place] == "be" and lows[place - 1] in MODALS
         must = place - 2 if lows[place - 1] == "to" and lows[place - 2] in MUST else place - 1
         if (asked or is_event) and (verb := past_verb(lows, behind, lexicon)) is not None:
+            if words[behind + verb.length : behind + verb.length + 1] and words[behind + verb.length].low in {
+                "and",
+                ",",
+            }:
+                return words
             end = must if asked else place - 1 if lows[place - 1] in {"has", "have"} else place
             active = [Word(part, part) for part in verb.phrase.split()]
             return [*active, *words[:end], *words[behind + verb.length :]]

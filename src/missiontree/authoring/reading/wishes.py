@@ -22,7 +22,7 @@ def errand_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Clause
     """A clause without a verb, such as "crate to dock 3", as an order to bring; None if it is no such clause."""
     lows = [word.low for word in clause.words]
     place = lows.index("to") if "to" in lows else 0
-    end = lows.index("or", place) if "or" in lows[place:] else len(lows)
+    end = next((at for at in range(place, len(lows)) if lows[at] in {"or", "and", ","}), len(lows))
     if not 0 < place < end - 1 or lows[:end].count("to") > 1:
         return None
     what, where = phrases.phrases(clause.words[:place]), phrases.phrases(clause.words[place + 1 : end])
@@ -30,6 +30,9 @@ def errand_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Clause
         return None
     if any(phrases.kind_of(phrase) in {None, "place"} for phrase in what):
         return None
+    movers = lexicon.words["movers"]
+    if any(p.name.lower().split()[-1] in movers and p.name.lower() not in phrases.known for p in what):
+        return None  # "drone to tank 5" is rather an order to the drone
     first = clause.words[0]
     if kind_of(first.low) is not None and kind_of(first.text) is not None:  # capital at the beginning only
         first = Word(first.low, first.low)
