@@ -53,7 +53,7 @@ def order_as_said(
                     _all_before(tops[number], pieces, made)
             together = [*pieces, *beside.get(index, [])]
             _all_before(earlier, together, made)
-            stage = [*stage, *together]
+            stage = [*stage, *together, *_ending(index, tops, relations)]
             if goal.clause.in_order and relation == "and":
                 _one_after_the_other(index, goals, tops, made)
 
@@ -93,6 +93,12 @@ def _beside(tops: Sequence[list[Piece]], relations: Sequence[tuple[Relation, int
         if main is not None and main != index and main < len(tops):
             beside.setdefault(main, []).extend(piece for piece in pieces if piece not in tops[main])
     return beside
+
+
+def _ending(index: int, tops: Sequence[list[Piece]], relations: Sequence[tuple[Relation, int | None]]) -> list[Piece]:
+    """What a clause lasts until: in "follow her until he is found, then go home", he is found before that."""
+    ends = [number for number, relation in enumerate(relations) if relation == ("until", index)]
+    return [piece for number in ends if number != index for piece in tops[number] if piece not in tops[index]]
 
 
 def _relations(goals: Sequence[Goal]) -> list[tuple[Relation, int | None]]:

@@ -14,6 +14,7 @@ from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.hearing import Hearing
 from missiontree.authoring.reading.outcomes import Goal
 from missiontree.authoring.reading.phrase import Phrase
+from missiontree.authoring.reading.plurals import noun_of
 from missiontree.authoring.reading.remarks import Read, Said, assumed, reading_line, unused_words
 from missiontree.authoring.reading.wording import GOING
 from missiontree.authoring.reading.words import Word
@@ -79,9 +80,11 @@ class Fitting:
         assert clause.verb is not None
         goals = self.hearing.lexicon.goals_of.get(clause.verb.phrase, ())
         self.hearing.refusals.companions(clause.words, goals)
-        self.hearing.refusals.sent(next(iter(read.values())), clause.verb.phrase)
         if not read:
             return
+        self.hearing.refusals.sent(next(iter(read.values())), clause.verb.phrase)
+        if "evacuate" in goals:
+            self.hearing.refusals.evacuated(next(iter(read.values())))
         *before, last = read.values()
         self.hearing.refusals.company((phrase for phrases in before for phrase in phrases), goes=False)
         self.hearing.refusals.company(last, goes=bool(set(goals) & GOING))
@@ -177,9 +180,7 @@ class Fitting:
             if slot not in said:
                 continue
             holds = {"hazard"} if self._is_hazard(read[slot]) else {mention.kind for mention in said[slot]}
-            if all(
-                mention.label.lower().split()[-1] in self.hearing.lexicon.words["vessels"] for mention in said[slot]
-            ):
+            if all(noun_of(mention.label) in self.hearing.lexicon.words["vessels"] for mention in said[slot]):
                 holds.add("vessel")
             if any(mention.to_be_found for mention in said[slot]):
                 holds.add("lost")

@@ -47,6 +47,12 @@ def is_plural(name: str) -> bool:
     )
 
 
+def noun_of(name: str) -> str:
+    """The noun of a name, without the number or the letter that tells one from another: "Bus 2" is a bus, "Block B" a block."""
+    *before, last = name.lower().split()
+    return before[-1] if before and (last.isdecimal() or len(last) == 1) else last
+
+
 def singular(noun: str) -> str:
     """The noun for one of several: crates, crate; boxes, box; children, child."""
     before, blank, last = noun.rpartition(" ")

@@ -12,9 +12,12 @@ from missiontree.authoring.reading.advice import RobotAdvice
 from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.phrases import PhraseReader
 from missiontree.authoring.reading.places import stands_at
+from missiontree.authoring.reading.plurals import noun_of
 from missiontree.authoring.reading.remarks import Read, Said
 from missiontree.authoring.reading.words import Word
 from missiontree.mission.scene import Scene
+
+_EVERYBODY = frozenset({"everyone", "everybody", "all", "anyone", "anybody", "others", "rest"})
 
 
 @dataclass(frozen=True)
@@ -99,6 +102,17 @@ class Refusals:
             if name.split()[-1] in self.lexicon.words["movers"] and name not in self.phrases.known:
                 lacks = f"names no robot of the fleet ({self.advice.types})"
                 raise UnclearError(f"{phrase.text!r} may be meant to go there by itself, and {lacks}")
+
+    def evacuated(self, phrases: Iterable[Phrase]) -> None:
+        """Whether "evacuate block B" is said of a block or of those in it, nobody knows who does not know blocks."""
+        for phrase in phrases:
+            noun, last = noun_of(phrase.name), phrase.name.split()[-1]
+            known = phrase.name.lower() in self.phrases.known or noun in self.lexicon.words["vessels"]
+            if phrase.pronoun or known or noun in _EVERYBODY:
+                continue
+            kind, numbered = self.phrases.kind_of(phrase), noun != last.lower()
+            if (numbered and kind == "object") or (kind is None and (numbered or last.islower())):
+                raise UnclearError(f"{phrase.text!r} may be a place, or somebody; say 'the people in {phrase.text}'")
 
     def companions(self, words: Iterable[Word], goals: Collection[str]) -> None:
         """In "go to the port together with Anna", nobody says whether Anna is to be brought there."""

@@ -15,6 +15,7 @@ _ORDER = frozenset(
     {"use", "have", "let", "send", "ask", "tell", "order", "get", "instruct", "command", "make", "dispatch", "deploy"}
 )
 _MUST = phrase_table("robots", "must")
+_WANT = phrase_table("robots", "want")
 _BEGINS = frozenset(
     {
         ",",
@@ -185,6 +186,7 @@ class _Marker:
         begins = place == 0 or self.lows[place - 1] in _BEGINS or self.lows[place - 1].startswith(MARK)
         for found in (
             self._instrument(place),
+            self._wanted(place) if begins else None,
             self._order(place) if begins else None,
             self._subject(place) if begins else None,
         ):
@@ -217,6 +219,16 @@ class _Marker:
             types, end = (*types, *also.types), end + 1 + more[1] + also.length
         end += self._only(end)
         return end - place, (self._mark(place, end, types),)
+
+    def _wanted(self, place: int) -> tuple[int, tuple[Word, ...]] | None:
+        """Words such as "I want the drone to ..."."""
+        wish = _WANT.at(self.lows, place)
+        named = self._robots(place + wish[1]) if wish is not None else None
+        if wish is None or named is None:
+            return None
+        end = place + wish[1] + named.length
+        told = self.lows[end : end + 1] == ["to"] and self._verb(end + 1)
+        return (end + 1 - place, (self._mark(place, end, named.types),)) if told else None
 
     def _order(self, place: int) -> tuple[int, tuple[Word, ...]] | None:
         """Words such as "use the drone to ...", "send a drone to ...", "have the drone ..."."""
