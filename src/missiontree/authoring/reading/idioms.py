@@ -29,6 +29,7 @@ def idiom_in(clause: Clause, lexicon: Lexicon) -> str:
                     and ends
                     and behind[at:end] == parts
                     and (end == len(behind) or behind[end] in PREPOSITIONS | {"with"})
+                    and not (parts[-1] in {"up", "down"} and len(parts) > 1 and behind[end : end + 1] == ["to"])
                 ):
                     return f"{start} ... {phrase}" if at else f"{start} {phrase}"
     return ""

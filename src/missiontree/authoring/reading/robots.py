@@ -268,9 +268,11 @@ class _Marker:
         end = start + named.length
         must = _MUST.at(self.lows, end)
         only_may = start > place or must is None or must[0] not in {"may", "can"}
-        if must is not None and only_may and self._verb(end + must[1]):
+        if must is not None and only_may and self._verb(end + must[1] + (self.lows[end + must[1] :][:1] == ["then"])):
             marks = [named.types] if not named.together else [(kind,) for kind in named.types]
-            return end + must[1] - place, tuple(self._mark(place, end, types) for types in marks)
+            then = tuple(word for word in self.words[end + must[1] : end + must[1] + 1] if word.low == "then")
+            told = tuple(self._mark(place, end, types) for types in marks)
+            return end + must[1] + len(then) - place, (*then, *told)
         if named.together:
             return None
         if self.lows[end : end + 1] in ([","], [":"]) and self._verb(end + 1):

@@ -31,6 +31,7 @@ class Statement:
         return all(phrase.lost for phrase in self.phrases)
 
 
+_SOMEBODY = (["i"], ["we"], ["somebody"], ["someone"])
 _LOSES = phrases_of("statements", "loses")
 _GONE = phrases_of("statements", "gone")
 _STANDS = frozenset(word for (word,) in phrases_of("statements", "stands"))
@@ -156,6 +157,8 @@ def place_of(clause: Clause, phrases: PhraseReader) -> tuple[tuple[Phrase, ...],
                 where = words[:at] if at and lows[0] != "somewhere" else words[1:at]
                 read = phrases.phrases((*words[at + len(phrase) :], *where))
                 return (read, "there") if read is not None and not any(one.pronoun for one in read) else None
+    if (left := _left(words, phrases)) is not None:
+        words, lows = left, [word.low for word in left]
     place = next(
         (index for index, low in enumerate(lows) if low in {"is", "are", "stands", "waits", "lies", "sits"}), 0
     )
@@ -168,6 +171,20 @@ def place_of(clause: Clause, phrases: PhraseReader) -> tuple[tuple[Phrase, ...],
     if read is None or any(phrase.pronoun for phrase in read) or not read[-1].description:
         return None
     return read, " ".join(word.text for word in words[behind:])
+
+
+def _left(words: tuple[Word, ...], phrases: PhraseReader) -> tuple[Word, ...] | None:
+    """The words "somebody left the trolley in the yard" as "the trolley is in the yard"; None if they say something else."""
+    lows = [word.low for word in words]
+    place = next((at for at in range(1, min(len(lows), MOST_BEFORE)) if lows[at] == "left"), 0)
+    where = next((at for at in range(place + 2, len(lows) - 1) if lows[at] in _AT), 0)
+    somebody = lows[:place] in _SOMEBODY or phrases.phrases(words[:place]) is not None
+    if not place or not where or not somebody:
+        return None
+    what = phrases.phrases(words[place + 1 : where])
+    if what is None or len(what) != 1 or phrases.kind_of(what[0]) in {None, "place"}:
+        return None
+    return (*words[place + 1 : where], Word("is", "is"), *words[where:])
 
 
 def statement_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Statement | None:

@@ -9,6 +9,8 @@ from missiontree.authoring.reading.words import MODALS, MUST, Word
 _AUXILIARIES = frozenset({"is", "are", "be", "gets", "been"})
 _DOERS = frozenset({"you", "we", "they", "the robots", "the robot", "a robot", "robots"})
 _CAUSES = phrases_of("statements", "causes")
+_ANYBODY = frozenset({"somebody", "someone", "anybody", "anyone"})
+_WISHES = (("would", "like", "to"), ("wants", "to"), ("want", "to"), ("wishes", "to"), ("asks", "to"))
 _TO_BE: frozenset[str] = frozenset({"a", "an", "the"})
 
 
@@ -28,12 +30,17 @@ def active(words: list[Word], lexicon: Lexicon, *, is_event: bool) -> list[Word]
         verb = lexicon.verb_at(lows, place + 1, "past")
         if verb is not None and " ".join(lows[:place]) in _DOERS:
             return [*(Word(part, part) for part in verb.phrase.split()), *words[place + 1 + verb.length :]]
+    if is_event and lows[:1] and lows[0] in _ANYBODY and (does := lexicon.verb_at(lows, 1, "third")) is not None:
+        return [*(Word(part, part) for part in does.phrase.split()), *words[1 + does.length :]]
     for place in range(1, min(len(lows), MAX_CLAUSE_WORDS)):
         if lows[place] not in _AUXILIARIES:
             continue
         behind = place + 1 + (lows[place + 1 : place + 2] in (["been"], ["being"]))
         asked = lows[place] == "be" and lows[place - 1] in MODALS
         must = place - 2 if lows[place - 1] == "to" and lows[place - 2] in MUST else place - 1
+        must = next(
+            (place - len(w) for w in _WISHES if place > len(w) and tuple(lows[place - len(w) : place]) == w), must
+        )
         if (asked or is_event) and (verb := past_verb(lows, behind, lexicon)) is not None:
             if words[behind + verb.length : behind + verb.length + 1] and words[behind + verb.length].low in {
                 "and",
