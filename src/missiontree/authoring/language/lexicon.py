@@ -125,8 +125,8 @@ class Lexicon:
         return {form: PhraseTable(phrases) for form, phrases in forms.items()}
 
     def verb_at(self, words: Sequence[str], start: int, *forms: Form) -> Verb | None:
-        """The longest verb that begins at a place in one of the forms; None if none does, or if it is "book 9"."""
-        if _is_numbered_noun(words, start):
+        """The longest verb that begins at a place in one of the forms; None if none does, or if a noun stands there."""
+        if _is_noun(words, start):
             return None
         for form in forms:
             if (hit := self._verbs[form].at(words, start)) is not None:
@@ -202,11 +202,16 @@ def _is_part_of_a_name(words: Sequence[str], at: int, length: int) -> bool:
     return noun and (following[0] == "of" or following[0] in {"alarm", "drill"} or kind_of(following[0]) is not None)
 
 
-def _is_numbered_noun(words: Sequence[str], at: int) -> bool:
-    """Whether a noun and its number stand there, and not a verb and how many: "book 9 to Ben", but "book 9 seats"."""
-    numbered = words[at + 1 : at + 2] and words[at + 1].isdecimal()
-    ends = tuple(words[at + 2 : at + 3]) in ((), ("to",), ("into",), (",",), ("and",))
-    return bool(numbered) and ends and kind_of(words[at]) is not None
+_AFTER_A_NUMBER = ((), ("to",), ("into",), (",",), ("and",))
+
+
+def _is_noun(words: Sequence[str], at: int) -> bool:
+    """Whether a noun stands there, as in "water is coming in" and "book 9 to Ben", but not in "book 9 seats"."""
+    if at + 1 >= len(words) or kind_of(words[at]) is None:
+        return False
+    if words[at + 1] in {"is", "are", "was", "were"}:
+        return True
+    return words[at + 1].isdecimal() and tuple(words[at + 2 : at + 3]) in _AFTER_A_NUMBER
 
 
 @cache

@@ -175,6 +175,8 @@ class _Splitter:
             return True
         if relation == "then" and lows[place] == "next" and lows[place + 1 : place + 2] == ["to"]:
             return False
+        if lows[place] == "till" and place and lows[place - 1] in {"the", "a", "this", "that", "each", "every"}:
+            return False
         if lows[place : place + 1] == ["having"] and self.lexicon.verb_at(lows, place + length, "past") is None:
             return False
         if relation == "then" and not (self.held or self.done):

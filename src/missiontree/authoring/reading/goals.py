@@ -14,7 +14,7 @@ from missiontree.authoring.reading.hearing import Hearing
 from missiontree.authoring.reading.idioms import idiom_in
 from missiontree.authoring.reading.outcomes import Goal, Trouble, Unserved, trouble
 from missiontree.authoring.reading.phrases import EXCEPTIONS
-from missiontree.authoring.reading.statements import cause_of, event_of
+from missiontree.authoring.reading.statements import CANNOT, cause_of, event_of, loses
 from missiontree.authoring.reading.telling import Telling
 from missiontree.authoring.reading.understanding import Understanding
 from missiontree.authoring.reading.wishes import errand_of, wish_of
@@ -87,8 +87,10 @@ class GoalReader:
         return None
 
     def _excepting(self, clause: Clause) -> set[str]:
-        """The words of a clause that make an exception, as in "all crates but the red one"."""
+        """Words that are understood here: the exception in "all crates but the red one", and "she cannot find her keys"."""
         lows = [word.low for word in clause.words]
+        if clause.verb is None and loses(clause):
+            return set(CANNOT)
         return EXCEPTIONS if {"all", "every", "each", "everyone", "everybody"} & set(lows) else set()
 
     def _kept(

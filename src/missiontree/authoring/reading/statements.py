@@ -44,6 +44,15 @@ _CAUSE = phrases_of("statements", "cause")
 _ENDS = phrases_of("statements", "ends")
 
 
+CANNOT = frozenset({"cannot", "can't", "not"})
+"""What a clause may hold that says who has lost something."""
+
+
+def loses(clause: Clause) -> bool:
+    """Whether a clause says that somebody has lost something: "the old lady cannot find her bag"."""
+    return clause.relation == "start" and _subject_length(clause) > 0
+
+
 def cause_of(words: Sequence[Word]) -> tuple[tuple[Word, ...], tuple[Word, ...]]:
     """The words without a closing "because of the fire", and the words of the cause; none if there is none."""
     lows = [word.low for word in words]
