@@ -22,7 +22,8 @@ NAMES = PhraseTable({("salt", "and", "pepper"): "salt and pepper"})
         ("docks 1, 2 and 3", ["dock 1", "dock 2", "dock 3"]),
         ("blocks A and B", ["block A", "block B"]),
         ("dock 1 and gate 2", ["dock 1", "gate 2"]),
-        ("the white and black van", ["the white van", "black van"]),
+        ("the white and black vans", ["the white vans", "black vans"]),
+        ("the white and black van", ["the white and black van", "black van"]),  # one or two: nobody knows
         ("the white door and the black van", ["the white door", "the black van"]),
         ("the path between the hall and the yard", ["the path between the hall and the yard"]),
         ("salt and pepper and the bread", ["salt and pepper", "the bread"]),

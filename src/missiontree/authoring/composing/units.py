@@ -37,7 +37,9 @@ def units_of(goals: Sequence[Goal], doubts: list[Reason]) -> list[Unit]:
     for index, goal in enumerate(goals):
         clause = goal.clause
         if clause.relation == "or" and units:
-            if not either and _joined(goals, units):
+            first = units[-1][0][0]
+            shared = first > 0 and goals[first - 1].clause.relation == "shares"
+            if (not either and _joined(goals, units)) or shared:
                 doubts.append(_unclear(clause.text))
             units[-1].append([index])
             last, either = either, False
@@ -50,6 +52,12 @@ def units_of(goals: Sequence[Goal], doubts: list[Reason]) -> list[Unit]:
         else:
             if clause.relation == "and" and units and len(units[-1]) > 1:
                 doubts.append(_unclear(clause.text))
+            if (
+                index
+                and goals[index - 1].clause.relation == "shares"
+                and any(word.low == "or" for word in clause.words)
+            ):
+                doubts.append(_unclear(clause.text))  # "weld and paint the mast or the rudder"
             units.append([[index]])
             last = False
             either = clause.either and _goes_on(goals, index)

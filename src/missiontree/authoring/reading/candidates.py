@@ -14,7 +14,7 @@ from missiontree.mission.routine import Routine, RoutineLibrary
 from missiontree.routines.library import built_in
 
 # Who fills a thing says with what, and not where.
-_FILLING = frozenset({"load", "fill", "pack", "supply", "provide", "stock", "equip", "cover", "stuff", "refill"})
+_FILLING = frozenset({"load", "fill", "pack", "supply", "provide", "stock", "equip", "cover", "stuff", "refill", "fit"})
 _OWN_METHOD, _OWN_ROUTINE, _METHOD, _ROUTINE, _SAME_GOAL = range(5)
 
 

@@ -38,6 +38,19 @@ _NOT_DESCRIBING = frozenset(
     "within",
     "through",
     "via",
+    "signal",
+    "following",
+    "ignoring",
+    "birthday",
+    "absence",
+    "request",
+    "demand",
+    "payment",
+    "condition",
+    "conditions",
+    "arrival",
+    "event",
+    "sound",
 }
 
 _NEAR = frozenset({"with", "by", "near", "beside", "for", "to", "from"})
@@ -64,6 +77,8 @@ class Descriptions:
         if not words:
             return True
         small, lows = self._small, [word.low for word in words]
+        if lows[0] == "being" or lows[:2] == ["in", "at"]:  # "the lions being fed", "check the case in at the counter"
+            return False
         if len(words) == 1 and lows[0] in small["describing"] | small["relatives"]:
             return False
         states = small["lost"] | small["states"]

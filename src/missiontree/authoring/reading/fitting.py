@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
+from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.methods.mention import Mention, UnclearError, title
 from missiontree.authoring.methods.method import RESPONDER, Method
 from missiontree.authoring.methods.outline import NobodyError, Outline, fill, leaf_of, outline_of
@@ -39,8 +41,12 @@ class Fitting:
         self.hearing.refusals.instruments(phrase for phrases in read.values() for phrase in phrases)
         for phrases in read.values():
             self.hearing.refusals.two_places(phrases)
-        self._refuse_company(clause, read)
+        self._refuse_company(candidate, clause, read)
+        if candidate.is_own:
+            self.hearing.refusals.with_what(phrase for phrases in read.values() for phrase in phrases)
         said = self._said(candidate, read)
+        for mentions in said.values():
+            self.hearing.refusals.compared(mentions, self.hearing.speakers.said)
         if candidate.method is not None and not self._holds(candidate.method, said, read):
             return None
         self.hearing.refusals.each_its_own(read)
@@ -62,7 +68,8 @@ class Fitting:
         self.hearing.speakers.came_from(read, said)
         pairs = (leaf.mentions for piece in outline.pieces for leaf in piece.leaves if len(leaf.mentions) > 1)
         self.hearing.speakers.were_moved({mentions[0].name for mentions in pairs})
-        self.hearing.speakers.remember(tuple(group for slot, group in said.items() if not self._is_hazard(read[slot])))
+        named = tuple(group for slot, group in said.items() if not self._is_hazard(read[slot]))
+        self.hearing.speakers.remember((*named, *_made(candidate)))
         remarks = list(unused_words(outline, read, said, self.hearing.lexicon, self.hearing.brief.world))
         remarks += assumed(candidate.method, said)
         return Goal(
@@ -75,7 +82,7 @@ class Fitting:
             standing=self._standing(clause),
         )
 
-    def _refuse_company(self, clause: Clause, read: Read) -> None:
+    def _refuse_company(self, candidate: Candidate, clause: Clause, read: Read) -> None:
         """Whoever is said to come along, or may be meant to."""
         assert clause.verb is not None
         goals = self.hearing.lexicon.goals_of.get(clause.verb.phrase, ())
@@ -83,6 +90,9 @@ class Fitting:
         if not read:
             return
         self.hearing.refusals.sent(next(iter(read.values())), clause.verb.phrase)
+        self.hearing.refusals.ridden(next(iter(read.values())), clause.verb.phrase)
+        if len(read) > 1 and not candidate.is_own:
+            self.hearing.refusals.done_there(list(read.values())[-1])
         if "evacuate" in goals:
             self.hearing.refusals.evacuated(next(iter(read.values())))
         *before, last = read.values()
@@ -214,9 +224,22 @@ def _only_kind(candidate: Candidate, slot: str) -> str:
     return next(iter(kinds)) if len(kinds) == 1 and kinds <= set(BASE_KINDS) else ""
 
 
+def _made(candidate: Candidate) -> tuple[tuple[Mention, ...], ...]:
+    """The photo of "take a photo of the owl": an "it" behind that may mean it, too."""
+    words = [element.text for element in candidate.form if element.kind == "word"] if candidate.is_own else []
+    made = [noun for article, noun in pairwise(words) if article in {"a", "an"} and kind_of(noun) == "object"]
+    return tuple((Mention(title(noun), title(noun), title(noun), "object"),) for noun in made)
+
+
 def _returns(clause: Clause) -> bool:
     """Whether something is brought back to where it was before."""
-    return any(word.low == "back" for word in clause.words)
+    lows = [word.low for word in clause.words]
+    return lows[:1] == ["return"] or any(
+        low == "back" and lows[at - 1] not in _DETERMINERS for at, low in enumerate(lows)
+    )
+
+
+_DETERMINERS = frozenset({"the", "a", "an", "this", "that", "my", "your", "his", "her", "its", "our", "their"})
 
 
 def _from_site(read: Read) -> Read:

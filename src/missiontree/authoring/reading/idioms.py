@@ -28,7 +28,7 @@ def idiom_in(clause: Clause, lexicon: Lexicon) -> str:
                     parts
                     and ends
                     and behind[at:end] == parts
-                    and (end == len(behind) or behind[end] in PREPOSITIONS | {"with"})
+                    and (end == len(behind) or behind[end] in PREPOSITIONS | {"with", "of"})
                     and not (parts[-1] in {"up", "down"} and len(parts) > 1 and behind[end : end + 1] == ["to"])
                 ):
                     return f"{start} ... {phrase}" if at else f"{start} {phrase}"

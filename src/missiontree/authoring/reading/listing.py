@@ -8,7 +8,7 @@ from dataclasses import replace
 from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.language.lexicon import PhraseTable
 from missiontree.authoring.reading.phrase import Phrase
-from missiontree.authoring.reading.plurals import singular
+from missiontree.authoring.reading.plurals import is_plural, singular
 from missiontree.authoring.reading.words import Word
 
 _THE = frozenset({"the", "my", "your", "his", "her", "its", "our", "their"})
@@ -33,7 +33,8 @@ def _numbered_alike(parts: Iterable[tuple[Word, ...]]) -> Iterator[tuple[Word, .
             and len(following) > 1
             and following[0].low not in _THE
         ):
-            made = (*part, following[-1])  # "the white and black van"
+            one = not is_plural(following[-1].low)  # "the white and black van" is one, or two: no name
+            made = (*part, Word("and", "and"), *following) if one else (*part, following[-1])
         elif len(part) == 1 and _designates(part[0]) and len(before) > 1:
             made = (*before[:-1], part[0])
         elif len(following) == 1 and _designates(following[0]) and len(part) > 1 and _designates(part[-1]):

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 from missiontree.authoring.language.kinds import is_listed, kind_of
-from missiontree.authoring.language.lexicon import Lexicon, PhraseTable
+from missiontree.authoring.language.lexicon import Lexicon, PhraseTable, english_verbs
 from missiontree.authoring.reading.describing import Descriptions
 from missiontree.authoring.reading.listing import all_but_these, is_letter, parts_of
 from missiontree.authoring.reading.phrase import Phrase, kind_of_phrase
@@ -197,7 +197,7 @@ class PhraseReader:
                 return place
             if state and before not in self._small["lost"] and before not in self._small["states"]:
                 return place
-            if kind_of(before) is not None and self._is_participle(low):
+            if (kind_of(before) is not None or words[place - 1].text.istitle()) and self._is_participle(low):
                 return place
         return len(words)
 
@@ -244,6 +244,8 @@ class PhraseReader:
             if place > 0 and verb is not None and words[place].text[:1].islower():
                 return False
         whole_known = kind_of(" ".join(lows)) is not None
+        if len(lows) > 1 and not whole_known and words[-1].text.islower() and self._is_complement(words[-2], words[-1]):
+            return False
         proper = words[-1].text[:1].isupper() or any(letter.isdigit() for letter in lows[-1])
         return (
             known[-1]
@@ -252,6 +254,15 @@ class PhraseReader:
             or not any(known[:-1])
             or self._lexicon.verb_at(lows, len(lows) - 1, "past", "third") is None
         )
+
+    def _is_complement(self, before: Word, last: Word) -> bool:
+        """Whether the last word is no part of the name: "paint the hull blue", "follow Anna unseen", "watch the monkeys feed"."""
+        if kind_of(last.low) is not None and last.low not in self._small["complements"]:
+            return False
+        named = before.text[:1].isupper() and before.text[1:].islower() and kind_of(before.low) is None
+        noun = kind_of(before.low) is not None or before.low in self.known
+        does = is_plural(before.low) and last.low in english_verbs()
+        return named or (noun and (last.low in self._small["complements"] or does))
 
     def _known_words(self, lows: list[str]) -> list[bool]:
         """Which words are known nouns, or parts of known compounds such as "assembly point"."""

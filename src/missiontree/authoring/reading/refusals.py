@@ -5,18 +5,22 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
-from missiontree.authoring.language.lexicon import Lexicon
-from missiontree.authoring.methods.mention import UnclearError
+from missiontree.authoring.language.lexicon import Lexicon, english_verbs
+from missiontree.authoring.methods.mention import Mention, UnclearError
 from missiontree.authoring.methods.outline import Outline
 from missiontree.authoring.reading.advice import RobotAdvice
 from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.phrases import PhraseReader
 from missiontree.authoring.reading.places import stands_at
-from missiontree.authoring.reading.plurals import noun_of
+from missiontree.authoring.reading.plurals import noun_of, singular
 from missiontree.authoring.reading.remarks import Read, Said
 from missiontree.authoring.reading.words import Word
 from missiontree.mission.scene import Scene
 
+_RIDDEN = frozenset(
+    {"escalator", "stairs", "staircase", "underground", "cab", "taxi", "bike", "bicycle", "road", "path"}
+)
+_KIN = frozenset({"brother", "sister", "son", "daughter", "child", "sibling", "cousin"})
 _EVERYBODY = frozenset({"everyone", "everybody", "all", "anyone", "anybody", "others", "rest"})
 
 
@@ -81,6 +85,17 @@ class Refusals:
         for place, phrase in enumerate(phrases[:-1]):
             if phrase.description and kinds[place] != "place" and "place" in kinds[place + 1 :]:
                 raise UnclearError(f"it is not clear what goes with {phrase.description!r}")
+        for place, phrase in enumerate(phrases[:-1]):
+            following = phrases[place + 1]
+            worn = phrase.description.lower().split()[:1] in ([word] for word in ("with", "wearing", "carrying"))
+            worn = worn or (
+                phrase.description.lower().startswith("in ") and kinds[place : place + 2] == ["person", "object"]
+            )
+            bare = not following.determined or kinds[place] != kinds[place + 1]
+            if (worn and bare and kinds[place] != "place") or (
+                " of " in phrase.name and phrase.name not in self.phrases.known
+            ):
+                raise UnclearError(f"it is not clear whether {following.text!r} belongs to {phrase.text!r}")
 
     def other_places(self, outline: Outline, said: Said) -> None:
         """A place that only says where somebody is must be where the scene has them."""
@@ -94,6 +109,20 @@ class Refusals:
                     and stands_at(world.by_id[mention.name], world.by_id[site.name], world) is False
                 ):
                     raise UnclearError(f"the scene has {mention.label} elsewhere, not at {site.label}")
+
+    def ridden(self, phrases: Iterable[Phrase], verb: str) -> None:
+        """Who takes the bus to the stadium goes there by bus, and brings no bus."""
+        for phrase in phrases if verb == "take" else ():
+            name = phrase.name.lower()
+            if noun_of(name) in self.lexicon.words["vessels"] | _RIDDEN and name not in self.phrases.known:
+                raise UnclearError(f"{phrase.text!r} may be the way to go there; say 'bring' if it is to be brought")
+
+    def done_there(self, phrases: Iterable[Phrase]) -> None:
+        """In "bring the guard tea to drink", nothing goes to a drink."""
+        for phrase in phrases:
+            name = phrase.name
+            if not phrase.determined and name in english_verbs() and self.phrases.kind_of(phrase) in {None, "object"}:
+                raise UnclearError(f"'to {name}' may say what it is for")
 
     def sent(self, phrases: Iterable[Phrase], verb: str) -> None:
         """Who sends a drone to the roof wants it to go there by itself."""
@@ -113,6 +142,25 @@ class Refusals:
             kind, numbered = self.phrases.kind_of(phrase), noun != last.lower()
             if (numbered and kind == "object") or (kind is None and (numbered or last.islower())):
                 raise UnclearError(f"{phrase.text!r} may be a place, or somebody; say 'the people in {phrase.text}'")
+
+    def with_what(self, phrases: Iterable[Phrase]) -> None:
+        """In "feed the lions with meat", a routine of the user may want to know of the meat."""
+        for phrase in phrases:
+            if phrase.description.lower().split()[:1] == ["with"]:
+                raise UnclearError(f"it is not clear whether {phrase.description!r} says how it is done")
+
+    def compared(self, mentions: Iterable[Mention], said: Iterable[Iterable[Iterable[Mention]]]) -> None:
+        """Who is new is not bigger than anybody, and not the biggest of those that were named."""
+        named = {noun_of(singular(m.label.lower())) for groups in said for group in groups for m in group}
+        for mention in mentions:
+            words = mention.label.lower().split()
+            compared = mention.new and set(words) & self.lexicon.words["comparatives"]
+            superlative = mention.new and set(words) & self.lexicon.words["superlatives"]
+            if words[-1] in _KIN:
+                continue  # "her older brother"
+            bare = words[-1] in self.lexicon.words["superlatives"] or "of" in words
+            if compared or (superlative and (bare or noun_of(mention.label) in named)):
+                raise UnclearError(f"it is not clear which one {mention.label!r} is; give it a name")
 
     def companions(self, words: Iterable[Word], goals: Collection[str]) -> None:
         """In "go to the port together with Anna", nobody says whether Anna is to be brought there."""

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.language.lexicon import Lexicon, phrases_of
-from missiontree.authoring.reading.clause import Clause
+from missiontree.authoring.reading.clause import SUBORDINATE, Clause
+from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.phrases import PhraseReader
 from missiontree.authoring.reading.words import Word
 
@@ -23,12 +24,12 @@ def errand_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Clause
     lows = [word.low for word in clause.words]
     place = lows.index("to") if "to" in lows else 0
     end = next((at for at in range(place, len(lows)) if lows[at] in {"or", "and", ","}), len(lows))
-    if not 0 < place < end - 1 or lows[:end].count("to") > 1:
+    if not 0 < place < end - 1 or lows[:end].count("to") > 1 or clause.relation in SUBORDINATE:
         return None
     what, where = phrases.phrases(clause.words[:place]), phrases.phrases(clause.words[place + 1 : end])
     if what is None or where is None or len(where) != 1 or any(phrase.pronoun for phrase in what):
         return None
-    if any(phrases.kind_of(phrase) in {None, "place"} for phrase in what):
+    if any(phrases.kind_of(phrase) in {None, "place"} or not _is_named(phrase) for phrase in what):
         return None
     movers = lexicon.words["movers"]
     if any(p.name.lower().split()[-1] in movers and p.name.lower() not in phrases.known for p in what):
@@ -38,6 +39,17 @@ def errand_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Clause
         first = Word(first.low, first.low)
     words = (Word("bring", "bring"), first, *clause.words[1:])
     return replace(clause, words=words, verb=lexicon.verb_at(["bring"], 0, "base"))
+
+
+def _is_named(phrase: Phrase) -> bool:
+    """Whether a phrase is a name and no more, unlike "Anna went", "the thief escaped" and "Welcome"."""
+    *before, last = phrase.name.split()
+    known = kind_of(last.lower()) is not None or last[-1].isdigit() or (bool(before) and last[:1].isupper())
+    return not phrase.description and (known or last.lower() in _GIVEN_NAMES)
+
+
+_GIVEN_NAMES = frozenset(word for key in ("women", "men") for (word,) in phrases_of("statements", key))
+_NO_THINGS = frozenset({"hand", "break", "rest", "help", "favour", "favor", "lift", "ride", "minute", "moment", "word"})
 
 
 def _wanted_somewhere(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Clause | None:
@@ -78,5 +90,7 @@ def wish_of(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> Clause |
         return None
     if phrases.kind_of(who[0]) not in kinds or any(phrases.kind_of(phrase) in {None, "place"} for phrase in what):
         return None
+    if any(phrase.name.lower() in _NO_THINGS for phrase in what):
+        return None  # "Anna needs a hand"
     words = (Word("bring", "bring"), *wanted, Word("to", "to"), *subject)
     return replace(clause, words=words, verb=lexicon.verb_at([word.low for word in words], 0, "base"))
