@@ -75,6 +75,7 @@ class _Splitter:
     first: bool = False  # what was said last goes before what comes
     opens: bool = False  # the clause under way is the first of all
     closes: bool = False  # the clause under way is the last of all
+    late: bool = False  # "first" stands before it, and orders before that: before those, or when they are done?
     pause: bool = False  # a comma stands before the clause under way
     either: bool = False  # the clause under way begins a choice
     leading: bool = False  # the clause under way is subordinate and its main clause comes behind it
@@ -157,10 +158,16 @@ class _Splitter:
             return 1 if not self.held else self._comma_or_and(lows, place)
         return 0
 
+    def _is_late(self) -> bool:
+        """Whether a sentence that begins with "first" comes behind orders of which none is said to be the last."""
+        before = [clause for clause in self.done if clause.sentence < self.sentence and clause.verb is not None]
+        return bool(before) and not self.held and self.done == before and not any(clause.closes for clause in before)
+
     def _joins(self, lows: list[str], place: int, relation: str, length: int) -> bool:
         if relation == "first":
             ends = lows[place + length : place + length + 1]
             self.opens = self.opens or not (self.held or self.done)
+            self.late = self.late or self._is_late()
             if (
                 self.held
                 and (not ends or ends[0] in {",", "and", *STOPS})
@@ -315,6 +322,8 @@ class _Splitter:
         """End the clause under way; the next one is joined to it by ``following``."""
         if self.held and says_something(self.held, self.lexicon):
             clause = finished(tuple(self.held), self.lexicon, is_event=self.relation in SUBORDINATE)
+            if self.late:
+                clause = replace(clause, decisive=(*clause.decisive, "first"))
             index = len(self.done)
             anchor = index + 1 if self.leading or shares else self.anchor
             joined: Relation = "shares" if shares else self.relation
@@ -331,7 +340,7 @@ class _Splitter:
                     closes=self.closes,
                 )
             )
-            self.either = self.pause = self.listed = self.opens = self.closes = False
+            self.either = self.pause = self.listed = self.opens = self.closes = self.late = False
             if not self.leading and self.relation not in SUBORDINATE:
                 self.main = index
         elif following in {"start", "and"}:
