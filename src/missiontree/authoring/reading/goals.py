@@ -71,9 +71,6 @@ class GoalReader:
             words = ", ".join(repr(word) for word in clause.decisive)
             detail = f"the offline author does not know what to make of {words} there"
             return trouble("decisive_words", clause, detail, advice.on_leaving_out(clause))
-        lows = [word.low for word in clause.words]
-        if lows[:1] == ["search"] and "or" in lows and "for" in lows[lows.index("or") :]:
-            return trouble("unclear", clause, "it is not clear what is searched for where", "Say 'find ...' alone.")
         if single := advice.single(clause):
             return trouble("single_robot", clause, single)
         if idiom := idiom_in(clause, self.hearing.lexicon):
