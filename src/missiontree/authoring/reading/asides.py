@@ -38,8 +38,9 @@ def without_asides(clause: Clause, phrases: PhraseReader, lexicon: Lexicon) -> t
             kept = kept[:-1]
         decisive = tuple(phrase for phrase, _, _ in lexicon.decisive.within([word.low for word in kept]))
         said = " ".join(word.text for word in clause.words[place:])
+        like_before = behind[0].low in PREPOSITIONS  # "to Anna, not to Bob" takes nobody out of several
         reason = Reason(
-            rule=f"{what if what == 'purpose' or behind[0].low in PREPOSITIONS else 'exception'}_unused",
+            rule="purpose_unused" if what == "purpose" else "contrast_unused" if like_before else "exception_unused",
             message=f"{said!r} says what is {'not meant' if what == 'contrast' else 'intended'}; nothing is planned for it.",
             severity="assumption",
         )

@@ -53,6 +53,8 @@ class Clause:
         Whether a comma alone joins it.
     opens, closes
         Whether it is said to be the first, or the last, of all.
+    late
+        Whether *first* is said of it though orders stand before it: it is not clear whether it goes before those.
     own_subject
         Whether it says itself who or what it is about: "the box must be found".
     sentence
@@ -76,6 +78,7 @@ class Clause:
     own_subject: bool = False
     opens: bool = False
     closes: bool = False
+    late: bool = False
     sentence: int = 0
 
     @property

@@ -322,8 +322,6 @@ class _Splitter:
         """End the clause under way; the next one is joined to it by ``following``."""
         if self.held and says_something(self.held, self.lexicon):
             clause = finished(tuple(self.held), self.lexicon, is_event=self.relation in SUBORDINATE)
-            if self.late:
-                clause = replace(clause, decisive=(*clause.decisive, "first"))
             index = len(self.done)
             anchor = index + 1 if self.leading or shares else self.anchor
             joined: Relation = "shares" if shares else self.relation
@@ -338,6 +336,7 @@ class _Splitter:
                     listed=self.listed,
                     opens=self.opens,
                     closes=self.closes,
+                    late=self.late,
                 )
             )
             self.either = self.pause = self.listed = self.opens = self.closes = self.late = False

@@ -71,6 +71,9 @@ class GoalReader:
             words = ", ".join(repr(word) for word in clause.decisive)
             detail = f"the offline author does not know what to make of {words} there"
             return trouble("decisive_words", clause, detail, advice.on_leaving_out(clause))
+        if clause.late:
+            unclear = "it is said to come first, and it is not clear whether it comes before what was said before it"
+            return trouble("order_unclear", clause, unclear, "Say 'before that' or 'then' in place of 'first'.")
         if single := advice.single(clause):
             return trouble("single_robot", clause, single)
         if idiom := idiom_in(clause, self.hearing.lexicon):

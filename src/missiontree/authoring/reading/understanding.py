@@ -100,7 +100,9 @@ class Understanding:
             )
             after = after.joined(self.hearing.speakers, len(before.said))
         if len({goal.slots for goal in made}) > 1:
-            return None  # "search the hall or the lab for Anna" is no choice between searching the hall and finding Anna
+            return (
+                None  # "search the hall or the lab for Anna" is no choice between searching the hall and finding Anna
+            )
         everybody = set[str]().union(*named)
         after.open_choice |= {name for name in everybody if any(name not in names for names in named)}
         self.hearing.speakers = after
