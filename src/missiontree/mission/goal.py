@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
+from missiontree.mission.call import call_of
 from missiontree.mission.frozen_map import FrozenMap
 from missiontree.mission.tree import Gate
 from missiontree.mission.value import Id, Value, require_unique
 
-_CALL = re.compile(r"\s*([A-Za-z][A-Za-z0-9_-]*)\s*\((.*)\)\s*", re.DOTALL)
 _NO_NAME = frozenset("()[]{};")
 
 
@@ -89,10 +88,10 @@ class Goal(Value):
         object.__setattr__(self, "slots", FrozenMap(frozen))
 
     def _check_call(self) -> None:
-        found = _CALL.fullmatch(self.do)
-        if found is None or not all(part.strip() for part in found[2].split(",")):
+        call = call_of(self.do)
+        if call is None or not all(call.arguments):
             raise ValueError(f"{self.do!r} is not of the form Routine(entity) or Routine(entity, entity).")
-        for name in self.arguments:
+        for name in call.arguments:
             if strange := next((sign for sign in name if sign in _NO_NAME), ""):
                 raise ValueError(
                     f"{self.do!r} names {name!r}, and a name in a goal has no {strange!r}; write one routine for each goal, "
@@ -102,14 +101,14 @@ class Goal(Value):
     @property
     def routine(self) -> str:
         """Id of the routine; empty if the goal is none."""
-        found = _CALL.fullmatch(self.do)
-        return found[1] if found else ""
+        call = call_of(self.do)
+        return call.routine if call else ""
 
     @property
     def arguments(self) -> tuple[str, ...]:
         """Whom or what the routine is about, in order."""
-        found = _CALL.fullmatch(self.do)
-        return tuple(part.strip() for part in found[2].split(",")) if found else ()
+        call = call_of(self.do)
+        return call.arguments if call else ()
 
     def filling(self, slot: str) -> tuple[str, ...]:
         """What a slot is filled with."""

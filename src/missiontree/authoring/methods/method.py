@@ -17,6 +17,7 @@ from typing import Literal
 from missiontree.errors import InputError
 from missiontree.formats.document import read_as
 from missiontree.formats.source import load_text
+from missiontree.mission.call import call_of
 from missiontree.mission.pattern import Form, forms_of
 from missiontree.mission.scene import BASE_KINDS
 from missiontree.mission.value import Id, Value, require_unique
@@ -24,7 +25,7 @@ from missiontree.mission.value import Id, Value, require_unique
 RESPONDER = "responder"
 CONDITIONS = (*BASE_KINDS, "lost", "hazard", "vessel")
 BUILT_IN_FILES = ("bringing", "finding", "helping", "reaching", "rescuing")
-_CALL = re.compile(r"\s*([A-Za-z][A-Za-z0-9_-]*)\s*\(\s*([a-z][a-z0-9_]*(?:\s*,\s*[a-z][a-z0-9_]*)*)\s*\)\s*")
+_SLOT = re.compile(r"[a-z][a-z0-9_]*")
 _FIELD = re.compile(r"\{(?:the )?(?:full )?([^{}]*)\}")
 
 
@@ -95,20 +96,21 @@ class Step(Value):
             raise ValueError(f"the step {self.do!r} is a routine; steps and gate belong to tasks.")
         if self.task and not self.steps:
             raise ValueError(f"the task {self.task!r} has no steps.")
-        if self.do and _CALL.fullmatch(self.do) is None:
+        call = call_of(self.do)
+        if self.do and (call is None or not all(map(_SLOT.fullmatch, call.arguments))):
             raise ValueError(f"{self.do!r} is not of the form Routine(slot) or Routine(slot, slot).")
 
     @property
     def routine(self) -> str:
         """Id of the routine."""
-        found = _CALL.fullmatch(self.do)
-        return found[1] if found else ""
+        call = call_of(self.do)
+        return call.routine if call else ""
 
     @property
     def arguments(self) -> tuple[str, ...]:
         """Slots, in the order of the routine's arguments."""
-        found = _CALL.fullmatch(self.do)
-        return tuple(part.strip() for part in found[2].split(",")) if found else ()
+        call = call_of(self.do)
+        return call.arguments if call else ()
 
     @property
     def mentions(self) -> tuple[str, ...]:
