@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from missiontree.authoring.language.lexicon import english_verbs
+from missiontree.authoring.language.verbs import english_verbs
 
 
 def test_verbs_of_one_word() -> None:

@@ -45,6 +45,7 @@ class StandingOrder:
         return False
 
     def _line(self, piece: Piece) -> Iterator[Piece]:
-        while piece is not None:
-            yield piece
-            piece = self._above.get(piece)  # type: ignore[assignment]
+        above: Piece | None = piece
+        while above is not None:
+            yield above
+            above = self._above.get(above)

@@ -214,13 +214,6 @@ def _is_noun(words: Sequence[str], at: int) -> bool:
     return words[at + 1].isdecimal() and tuple(words[at + 2 : at + 3]) in _AFTER_A_NUMBER
 
 
-@cache
-def english_verbs() -> frozenset[str]:
-    """Every English verb of one word, in its base form, whether anybody serves it or not; derived from WordNet."""
-    text = (resources.files("missiontree.authoring") / "language" / "verbs.txt").read_text(encoding="ascii")
-    return frozenset(word for line in text.splitlines() if not line.startswith("#") for word in line.split())
-
-
 def gerund(verb: str) -> str:
     """The -ing form: find, finding; locate, locating; get, getting."""
     if verb.endswith("ie"):

@@ -23,16 +23,20 @@ def idiom_in(clause: Clause, lexicon: Lexicon) -> str:
             parts = phrase.split() if bare else [part for part in phrase.split() if part not in _DROPPED]
             for at in range(min(len(behind) - len(parts), MOST_BETWEEN) + 1):
                 end = at + len(parts)
-                ends = end == len(behind) or parts[:1] == [] or len(parts) > 1 or parts[0] not in _PARTICLES
-                if (
-                    parts
-                    and ends
-                    and behind[at:end] == parts
-                    and (end == len(behind) or behind[end] in PREPOSITIONS | {"with", "of"})
-                    and not (parts[-1] in {"up", "down"} and len(parts) > 1 and behind[end : end + 1] == ["to"])
-                ):
+                if behind[at:end] == parts and _ends(parts, behind[end:]):
                     return f"{start} ... {phrase}" if at else f"{start} {phrase}"
     return ""
+
+
+def _ends(parts: list[str], rest: list[str]) -> bool:
+    """Whether a figure of speech may end before the rest of the words."""
+    if not rest:
+        return True
+    if len(parts) == 1 and parts[0] in _PARTICLES:
+        return False
+    if parts[-1] in {"up", "down"} and rest[0] == "to":
+        return False  # the curtain comes down to the laundry
+    return rest[0] in PREPOSITIONS | {"of"}
 
 
 _PARTICLES = frozenset({"up", "out", "off", "on", "over", "away", "in", "back", "by", "through", "down", "about"})

@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 from missiontree.authoring.language.kinds import is_listed, kind_of
-from missiontree.authoring.language.lexicon import Lexicon, PhraseTable, english_verbs
+from missiontree.authoring.language.lexicon import Lexicon, PhraseTable
+from missiontree.authoring.language.verbs import english_verbs
 from missiontree.authoring.reading.describing import Descriptions
 from missiontree.authoring.reading.listing import all_but_these, is_letter, parts_of
 from missiontree.authoring.reading.phrase import Phrase, kind_of_phrase

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
-from missiontree.authoring.language.lexicon import Lexicon, english_verbs
+from missiontree.authoring.language.lexicon import Lexicon
+from missiontree.authoring.language.verbs import english_verbs
 from missiontree.authoring.methods.mention import Mention, UnclearError
 from missiontree.authoring.methods.outline import Outline
 from missiontree.authoring.reading.advice import RobotAdvice

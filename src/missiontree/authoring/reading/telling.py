@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 
-from missiontree.authoring.language.lexicon import english_verbs
+from missiontree.authoring.language.verbs import english_verbs
 from missiontree.authoring.methods.mention import Mention, UnclearError
 from missiontree.authoring.methods.outline import Outline
 from missiontree.authoring.reading.clause import Clause
