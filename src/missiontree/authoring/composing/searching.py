@@ -34,9 +34,9 @@ def search_once(goals: Sequence[Goal], library: RoutineLibrary, made: Compositio
                 finders.setdefault(leaf.call, leaf)
                 continue
             gone = _taken_out(goal.outline.pieces, leaf)
+            kept = dict.fromkeys(gone, earlier)
             goal.outline.links[:] = [
-                tuple(earlier if end in gone else end for end in link)  # type: ignore[misc]  # the kind is no piece
-                for link in goal.outline.links
+                (kept.get(first, first), kept.get(second, second), kind) for first, second, kind in goal.outline.links
             ]
             message = f"{leaf.label} is done once, though several parts of the mission ask for it."
             made.notices.append(Reason(rule="searched_once", message=message, severity="notice", node=leaf.label))

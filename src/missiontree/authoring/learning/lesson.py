@@ -276,19 +276,16 @@ class _Pupil:
         return self._names[node_id]
 
     def _step(self, node: MissionNode, *, certain: bool) -> Step:
-        links = {
-            "name": self._names.get(node.id, ""),
-            "after": tuple(self._after.get(node.id, ())),
-            "until": self._until.get(node.id, ""),
-        }
+        name, until = self._names.get(node.id, ""), self._until.get(node.id, "")
+        after = tuple(self._after.get(node.id, ()))
         if node.routine is not None:
             call = f"{node.routine}({', '.join(self._arguments(node))})"
             by, capability = self._robots(node)
-            spare = self._unless_known(node) if certain and not self._after.get(node.id) else ""
-            return Step(do=call, by=by, capability=capability, unless_known=spare, **links)  # type: ignore[arg-type]
+            spare = self._unless_known(node) if certain and not after else ""
+            return Step(do=call, name=name, after=after, until=until, by=by, capability=capability, unless_known=spare)
         below = self._below(node, certain=certain and node.gate == "and")
         gate = node.gate or "and"
-        return Step(task=self._filled(node.label), gate=gate, steps=below, **links)  # type: ignore[arg-type]
+        return Step(task=self._filled(node.label), gate=gate, steps=below, name=name, after=after, until=until)
 
     def _robots(self, node: MissionNode) -> tuple[tuple[str, ...], str]:
         """Robot types that a routine keeps to, or the capability for which it does; nothing if the words of the mission say so."""

@@ -20,37 +20,59 @@ def active(words: list[Word], lexicon: Lexicon, *, is_event: bool) -> list[Word]
 
     "The forklift is found" asks for something only as an event that something else waits for; alone it is a statement.
     """
-    if words and words[0].low in {"shall", "should", "must"}:  # "only then shall the gate be closed"
-        be = next((at for at in range(2, len(words)) if words[at].low == "be"), 0)
-        words = [*words[1:be], words[0], *words[be:]] if be else words
+    words = _subject_first(words)
+    done = _done_by_somebody(words, lexicon) if is_event else None
+    return done or _passive(words, lexicon, is_event=is_event) or words
+
+
+def _subject_first(words: list[Word]) -> list[Word]:
+    """The words "shall the gate be closed", as they stand behind "only then", as "the gate shall be closed"."""
+    if not words or words[0].low not in {"shall", "should", "must"}:
+        return words
+    be = next((at for at in range(2, len(words)) if words[at].low == "be"), 0)
+    return [*words[1:be], words[0], *words[be:]] if be else words
+
+
+def _done_by_somebody(words: list[Word], lexicon: Lexicon) -> list[Word] | None:
+    """The order in "having delivered the box", "you have found the box", "anyone paints it"; None if there is none."""
     lows = [word.low for word in words]
-    if is_event and (done := past_verb(lows, 0, lexicon)) is not None:  # "having delivered the box"
-        return [*(Word(part, part) for part in done.phrase.split()), *words[done.length :]]
-    if is_event and (place := next((at for at in (1, 2) if lows[at : at + 1] in (["have"], ["has"])), 0)):
-        verb = lexicon.verb_at(lows, place + 1, "past")
-        if verb is not None and " ".join(lows[:place]) in _DOERS:
-            return [*(Word(part, part) for part in verb.phrase.split()), *words[place + 1 + verb.length :]]
-    if is_event and lows[:1] and lows[0] in _ANYBODY and (does := lexicon.verb_at(lows, 1, "third")) is not None:
-        return [*(Word(part, part) for part in does.phrase.split()), *words[1 + does.length :]]
+    if (done := past_verb(lows, 0, lexicon)) is not None:
+        return _order(done, words[done.length :])
+    if lows[:1] and lows[0] in _ANYBODY and (does := lexicon.verb_at(lows, 1, "third")) is not None:
+        return _order(does, words[1 + does.length :])
+    have = next((at for at in (1, 2) if lows[at : at + 1] in (["have"], ["has"])), 0)
+    done = lexicon.verb_at(lows, have + 1, "past") if have else None
+    return _order(done, words[have + 1 + done.length :]) if done and " ".join(lows[:have]) in _DOERS else None
+
+
+def _passive(words: list[Word], lexicon: Lexicon, *, is_event: bool) -> list[Word] | None:
+    """The order in "the box must be found" and, of an event, in "the box is found"; None if there is none, or more than one."""
+    lows = [word.low for word in words]
     for place in range(1, min(len(lows), MAX_CLAUSE_WORDS)):
-        if lows[place] not in _AUXILIARIES:
+        asked = lows[place] == "be" and lows[place - 1] in MODALS
+        if lows[place] not in _AUXILIARIES or not (asked or is_event):
             continue
         behind = place + 1 + (lows[place + 1 : place + 2] in (["been"], ["being"]))
-        asked = lows[place] == "be" and lows[place - 1] in MODALS
-        must = place - 2 if lows[place - 1] == "to" and lows[place - 2] in MUST else place - 1
-        must = next(
-            (place - len(w) for w in _WISHES if place > len(w) and tuple(lows[place - len(w) : place]) == w), must
-        )
-        if (asked or is_event) and (verb := past_verb(lows, behind, lexicon)) is not None:
-            if words[behind + verb.length : behind + verb.length + 1] and words[behind + verb.length].low in {
-                "and",
-                ",",
-            }:
-                return words
-            end = must if asked else place - 1 if lows[place - 1] in {"has", "have"} else place
-            active = [Word(part, part) for part in verb.phrase.split()]
-            return [*active, *words[:end], *words[behind + verb.length :]]
-    return words
+        if (verb := past_verb(lows, behind, lexicon)) is None:
+            continue
+        rest = words[behind + verb.length :]
+        if rest and rest[0].low in {"and", ","}:
+            return None
+        end = _end_of_subject(lows, place) if asked else place - (lows[place - 1] in {"has", "have"})
+        return _order(verb, [*words[:end], *rest])
+    return None
+
+
+def _end_of_subject(lows: list[str], place: int) -> int:
+    """How many words stand before the "must", "has to" or "would like to" of a "be"."""
+    for wish in _WISHES:
+        if place > len(wish) and tuple(lows[place - len(wish) : place]) == wish:
+            return place - len(wish)
+    return place - 2 if lows[place - 1] == "to" and lows[place - 2] in MUST else place - 1
+
+
+def _order(verb: Verb, behind: list[Word]) -> list[Word]:
+    return [*(Word(part, part) for part in verb.phrase.split()), *behind]
 
 
 def caused(words: list[Word], lexicon: Lexicon) -> list[Word]:
