@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 
 from missiontree.authoring.methods.mention import Mention, UnclearError
@@ -37,22 +35,6 @@ def of_scene(name: str, kind: str = "object") -> Mention:
     return Mention(name, name, name, kind, new=False)
 
 
-def test_robot_is_nobody_to_whom_something_is_done() -> None:
-    with pytest.raises(UnclearError, match="does things"):
-        BARE.robots(phrases("the old robot"))
-    with pytest.raises(UnclearError, match="'Tele-Robot' is a robot of the fleet; say who does it"):
-        BARE.robots(phrases("the cat, the tele-robot"))
-    BARE.robots(phrases("the cat and the dog"))
-    SCENIC.robots(phrases("the toy robot", SCENIC))
-
-
-def test_what_it_shall_be_done_with_is_no_description() -> None:
-    with pytest.raises(UnclearError, match="'with the crane' may say who does it, and names no robot of the fleet"):
-        BARE.instruments(phrases("the box with the crane"))
-    BARE.instruments(phrases("the woman with the red hat"))
-    BARE.instruments(phrases("the box near the crane"))
-
-
 def test_each_and_its_own_are_several_errands() -> None:
     each, owner = phrases("each parcel"), phrases("its owner")
     with pytest.raises(UnclearError, match="not clear who 'its owner' is for each one of 'each parcel'"):
@@ -68,15 +50,6 @@ def test_second_place_of_a_description_is_no_second_thing() -> None:
     BARE.two_places(phrases("the park and the forest"))
 
 
-def test_somebody_who_comes_along_may_be_meant_as_well() -> None:
-    box = replace(phrases("the green box")[0], description="with the blue box")
-    with pytest.raises(UnclearError, match="not clear whether 'blue box' is meant as well; say 'and' if it is"):
-        SCENIC.company([box], goes=False)
-    BARE.company([box], goes=False)  # nobody knows such a box, so the words only describe
-    with pytest.raises(UnclearError, match="not clear whether 'with the blue box' says who or what comes along"):
-        BARE.company([box], goes=True)
-
-
 def test_place_that_only_says_where_must_be_where_the_scene_has_it() -> None:
     search = built_in().by_id["Search"]
     vase, hall, shed = of_scene("vase"), of_scene("hall", "place"), of_scene("shed", "place")
@@ -90,3 +63,60 @@ def test_place_that_only_says_where_must_be_where_the_scene_has_it() -> None:
     # Where the blue box is, the scene does not say.
     box = of_scene("blue_box")
     SCENIC.other_places(Outline([leaf_of(search, (box,))]), {"target": (box,), "site": (shed,)})
+
+
+@pytest.mark.parametrize(
+    ("text", "other"),
+    [
+        ("the girl with the red shoes and hat", "hat"),
+        ("the man with a beard and glasses", "glasses"),
+        ("the woman in jeans and a jacket", "a jacket"),
+        ("the box of nuts and bolts", "bolts"),
+        ("the owner of the dog and the cat", "the cat"),
+    ],
+)
+def test_last_of_a_list_may_belong_to_the_description_before_it(text: str, other: str) -> None:
+    with pytest.raises(UnclearError, match=f"whether '{other}' belongs to"):
+        BARE.belongings(phrases(text))
+
+
+@pytest.mark.parametrize(
+    "text", ["the girl with the red hat", "the man with the hat and the woman", "the hall with the stage and the lab"]
+)
+def test_list_whose_last_stands_by_itself(text: str) -> None:
+    BARE.belongings(phrases(text))
+
+
+@pytest.mark.parametrize("text", ["unit 3", "the blorp", "crate 4"])
+def test_what_is_evacuated_may_be_a_place_or_somebody(text: str) -> None:
+    with pytest.raises(UnclearError, match=f"'{text}' may be a place, or somebody; say 'the people in {text}'"):
+        BARE.evacuated(phrases(text))
+
+
+@pytest.mark.parametrize("text", ["the hall", "bus 2", "the nurses", "everyone", "them", "Anna", "the crate"])
+def test_who_is_evacuated_is_known(text: str) -> None:
+    BARE.evacuated(phrases(text))
+
+
+def new(label: str) -> Mention:
+    return Mention(label, label, label, "animal")
+
+
+@pytest.mark.parametrize("label", ["Bigger Bear", "Tallest Bear", "Oldest", "Hungriest of the Bears"])
+def test_bigger_or_biggest_of_those_named_is_nobody_new(label: str) -> None:
+    said = [((new("Bear 1"), new("Bear 2")),)]
+    with pytest.raises(UnclearError, match=f"not clear which one '{label}' is"):
+        BARE.compared([new(label)], said)
+
+
+def test_tallest_of_those_who_were_not_named_is_a_name() -> None:
+    BARE.compared([new("Tallest Bear")], [((new("Lion 1"),),)])
+    BARE.compared([new("Older Brother")], [])
+    BARE.compared([of_scene("Bigger Bear", "animal")], [])  # the scene has it
+
+
+def test_what_it_is_for_is_no_place_to_go() -> None:
+    with pytest.raises(UnclearError, match="'to drink' may say what it is for"):
+        BARE.done_there(phrases("drink"))
+    BARE.done_there(phrases("the drink"))
+    BARE.done_there(phrases("school"))

@@ -37,13 +37,14 @@ class Fitting:
         if read is None:
             return None
         read = _from_site(read)
-        self.hearing.refusals.robots(phrase for phrases in read.values() for phrase in phrases)
-        self.hearing.refusals.instruments(phrase for phrases in read.values() for phrase in phrases)
+        self.hearing.doers.robots(phrase for phrases in read.values() for phrase in phrases)
+        self.hearing.doers.instruments(phrase for phrases in read.values() for phrase in phrases)
         for phrases in read.values():
             self.hearing.refusals.two_places(phrases)
+            self.hearing.refusals.belongings(phrases)
         self._refuse_company(candidate, clause, read)
         if candidate.is_own:
-            self.hearing.refusals.with_what(phrase for phrases in read.values() for phrase in phrases)
+            self.hearing.doers.with_what(phrase for phrases in read.values() for phrase in phrases)
         said = self._said(candidate, read)
         for mentions in said.values():
             self.hearing.refusals.compared(mentions, self.hearing.speakers.said)
@@ -86,18 +87,18 @@ class Fitting:
         """Whoever is said to come along, or may be meant to."""
         assert clause.verb is not None
         goals = self.hearing.lexicon.goals_of.get(clause.verb.phrase, ())
-        self.hearing.refusals.companions(clause.words, goals)
+        self.hearing.doers.companions(clause.words, goals)
         if not read:
             return
-        self.hearing.refusals.sent(next(iter(read.values())), clause.verb.phrase)
-        self.hearing.refusals.ridden(next(iter(read.values())), clause.verb.phrase)
+        self.hearing.doers.sent(next(iter(read.values())), clause.verb.phrase)
+        self.hearing.doers.ridden(next(iter(read.values())), clause.verb.phrase)
         if len(read) > 1 and not candidate.is_own:
             self.hearing.refusals.done_there(list(read.values())[-1])
         if "evacuate" in goals:
             self.hearing.refusals.evacuated(next(iter(read.values())))
         *before, last = read.values()
-        self.hearing.refusals.company((phrase for phrases in before for phrase in phrases), goes=False)
-        self.hearing.refusals.company(last, goes=bool(set(goals) & GOING))
+        self.hearing.doers.company((phrase for phrases in before for phrase in phrases), goes=False)
+        self.hearing.doers.company(last, goes=bool(set(goals) & GOING))
 
     def _refuse_several(self, candidate: Candidate, said: Bindings) -> None:
         """Several in a slot that is no list of errands: who of them is meant for what is not said."""

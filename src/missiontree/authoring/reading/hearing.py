@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from missiontree.authoring.language.lexicon import Lexicon
 from missiontree.authoring.methods.method import MethodLibrary
 from missiontree.authoring.reading.advice import RobotAdvice
+from missiontree.authoring.reading.doers import Doers
 from missiontree.authoring.reading.entities import Speakers
 from missiontree.authoring.reading.phrases import PhraseReader
 from missiontree.authoring.reading.refusals import Refusals
@@ -30,6 +31,8 @@ class Hearing:
         Reads noun phrases; knows the names of the scene.
     advice
         Knows the robots by name.
+    doers
+        Asks who does it, where the words may mean either.
     refusals
         Refuses readings that nobody can have meant.
     speakers
@@ -45,6 +48,7 @@ class Hearing:
     lexicon: Lexicon
     phrases: PhraseReader
     advice: RobotAdvice
+    doers: Doers
     refusals: Refusals
     speakers: Speakers
     hazards: list[str] = field(default_factory=list)
@@ -63,9 +67,9 @@ def hearing_of(brief: MissionBrief, library: MethodLibrary) -> Hearing:
     }
     phrases = PhraseReader(lexicon, names)
     advice = RobotAdvice(brief.fleet, frozenset(names), lexicon)
-    refusals = Refusals(world, lexicon, phrases, advice)
+    doers, refusals = Doers(lexicon, phrases, advice), Refusals(world, lexicon, phrases)
     speakers = Speakers(world, complete=brief.scene is not None)
-    return Hearing(brief, library, lexicon, phrases, advice, refusals, speakers)
+    return Hearing(brief, library, lexicon, phrases, advice, doers, refusals, speakers)
 
 
 def _verbs(brief: MissionBrief, library: MethodLibrary) -> Iterable[str]:

@@ -1,63 +1,32 @@
-"""Readings that fit the words and that nobody can have meant: each raises :class:`UnclearError` with a sentence that asks."""
+"""Readings that fit the words and that nobody can have meant: each raises :class:`UnclearError` with a sentence that asks who is meant."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from missiontree.authoring.language.lexicon import Lexicon
 from missiontree.authoring.language.verbs import english_verbs
 from missiontree.authoring.methods.mention import Mention, UnclearError
 from missiontree.authoring.methods.outline import Outline
-from missiontree.authoring.reading.advice import RobotAdvice
 from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.phrases import PhraseReader
 from missiontree.authoring.reading.places import stands_at
 from missiontree.authoring.reading.plurals import noun_of, singular
 from missiontree.authoring.reading.remarks import Read, Said
-from missiontree.authoring.reading.words import Word
 from missiontree.mission.scene import Scene
 
-_RIDDEN = frozenset(
-    {"escalator", "stairs", "staircase", "underground", "cab", "taxi", "bike", "bicycle", "road", "path"}
-)
 _KIN = frozenset({"brother", "sister", "son", "daughter", "child", "sibling", "cousin"})
 _EVERYBODY = frozenset({"everyone", "everybody", "all", "anyone", "anybody", "others", "rest"})
 
 
 @dataclass(frozen=True)
 class Refusals:
-    """What is held against a reading, in a world, by who knows robots, nouns and small words."""
+    """What is held against a reading, in a world, by who knows nouns and small words."""
 
     world: Scene
     lexicon: Lexicon
     phrases: PhraseReader
-    advice: RobotAdvice
-
-    def robots(self, phrases: Iterable[Phrase]) -> None:
-        """Who shall do it is no description of whom it is done to."""
-        for phrase in phrases:
-            if phrase.name.lower().split()[-1] in {"robot", "robots"} and phrase.name.lower() not in self.phrases.known:
-                raise UnclearError(f"{phrase.text!r} does things; it is not clear what is to be done with it")
-            short = self.advice.short_names
-            words = phrase.name.lower().split()
-            if (words[0] in short and len(words) > 1 and phrase.name.lower() not in self.phrases.known) or (
-                phrase.name.lower() in short and (phrase.text.lower().startswith("the ") or not phrase.determined)
-            ):
-                raise UnclearError(
-                    f"{phrase.text!r} may be a robot of the fleet; say 'with' or 'use' before it if it does something"
-                )
-            named = self.advice.named_in(phrase.text)
-            if named and phrase.name.lower() not in self.phrases.known:
-                raise UnclearError(self.advice.on(named[0]))
-
-    def instruments(self, phrases: Iterable[Phrase]) -> None:
-        """What it shall be done with is no description either, if it is no robot of the fleet."""
-        for phrase in phrases:
-            lows = phrase.description.lower().split()
-            if lows[:1] == ["with"] and lows[-1] in self.lexicon.words["instruments"]:
-                named = f"names no robot of the fleet ({self.advice.types})"
-                raise UnclearError(f"{phrase.description!r} may say who does it, and {named}")
 
     def each_its_own(self, read: Read) -> None:
         """To bring each parcel to its owner is more than one errand, and nobody knows how many."""
@@ -86,16 +55,17 @@ class Refusals:
         for place, phrase in enumerate(phrases[:-1]):
             if phrase.description and kinds[place] != "place" and "place" in kinds[place + 1 :]:
                 raise UnclearError(f"it is not clear what goes with {phrase.description!r}")
+
+    def belongings(self, phrases: tuple[Phrase, ...]) -> None:
+        """In "the girl with the red shoes and hat" and "the box of nuts and bolts", the last is nothing by itself."""
+        kinds = [self.phrases.kind_of(phrase) for phrase in phrases]
         for place, phrase in enumerate(phrases[:-1]):
-            following = phrases[place + 1]
-            worn = phrase.description.lower().split()[:1] in ([word] for word in ("with", "wearing", "carrying"))
-            worn = worn or (
-                phrase.description.lower().startswith("in ") and kinds[place : place + 2] == ["person", "object"]
-            )
+            following, described = phrases[place + 1], phrase.description.lower().split()[:1]
+            worn = described in (["with"], ["wearing"], ["carrying"]) and kinds[place] != "place"
+            dressed = described == ["in"] and kinds[place : place + 2] == ["person", "object"]
             bare = not following.determined or kinds[place] != kinds[place + 1]
-            if (worn and bare and kinds[place] != "place") or (
-                " of " in phrase.name and phrase.name not in self.phrases.known
-            ):
+            of_both = " of " in phrase.name and phrase.name.lower() not in self.phrases.known
+            if of_both or (bare and (worn or dressed)):
                 raise UnclearError(f"it is not clear whether {following.text!r} belongs to {phrase.text!r}")
 
     def other_places(self, outline: Outline, said: Said) -> None:
@@ -111,28 +81,6 @@ class Refusals:
                 ):
                     raise UnclearError(f"the scene has {mention.label} elsewhere, not at {site.label}")
 
-    def ridden(self, phrases: Iterable[Phrase], verb: str) -> None:
-        """Who takes the bus to the stadium goes there by bus, and brings no bus."""
-        for phrase in phrases if verb == "take" else ():
-            name = phrase.name.lower()
-            if noun_of(name) in self.lexicon.words["vessels"] | _RIDDEN and name not in self.phrases.known:
-                raise UnclearError(f"{phrase.text!r} may be the way to go there; say 'bring' if it is to be brought")
-
-    def done_there(self, phrases: Iterable[Phrase]) -> None:
-        """In "bring the guard tea to drink", nothing goes to a drink."""
-        for phrase in phrases:
-            name = phrase.name
-            if not phrase.determined and name in english_verbs() and self.phrases.kind_of(phrase) in {None, "object"}:
-                raise UnclearError(f"'to {name}' may say what it is for")
-
-    def sent(self, phrases: Iterable[Phrase], verb: str) -> None:
-        """Who sends a drone to the roof wants it to go there by itself."""
-        for phrase in phrases if verb in {"send", "dispatch"} else ():
-            name = phrase.name.lower()
-            if name.split()[-1] in self.lexicon.words["movers"] and name not in self.phrases.known:
-                lacks = f"names no robot of the fleet ({self.advice.types})"
-                raise UnclearError(f"{phrase.text!r} may be meant to go there by itself, and {lacks}")
-
     def evacuated(self, phrases: Iterable[Phrase]) -> None:
         """Whether "evacuate block B" is said of a block or of those in it, nobody knows who does not know blocks."""
         for phrase in phrases:
@@ -143,12 +91,6 @@ class Refusals:
             kind, numbered = self.phrases.kind_of(phrase), noun != last.lower()
             if (numbered and kind == "object") or (kind is None and (numbered or last.islower())):
                 raise UnclearError(f"{phrase.text!r} may be a place, or somebody; say 'the people in {phrase.text}'")
-
-    def with_what(self, phrases: Iterable[Phrase]) -> None:
-        """In "feed the lions with meat", a routine of the user may want to know of the meat."""
-        for phrase in phrases:
-            if phrase.description.lower().split()[:1] == ["with"]:
-                raise UnclearError(f"it is not clear whether {phrase.description!r} says how it is done")
 
     def compared(self, mentions: Iterable[Mention], said: Iterable[Iterable[Iterable[Mention]]]) -> None:
         """Who is new is not bigger than anybody, and not the biggest of those that were named."""
@@ -163,20 +105,9 @@ class Refusals:
             if compared or (superlative and (bare or noun_of(mention.label) in named)):
                 raise UnclearError(f"it is not clear which one {mention.label!r} is; give it a name")
 
-    def companions(self, words: Iterable[Word], goals: Collection[str]) -> None:
-        """In "go to the port together with Anna", nobody says whether Anna is to be brought there."""
-        joined = {word.text.lower() for word in words} & {"together with", "along with"}
-        if joined and set(goals) & {"reach", "search", "look at", "follow"}:
-            raise UnclearError(f"it is not clear whether who stands behind {joined.pop()!r} comes along")
-
-    def company(self, phrases: Iterable[Phrase], *, goes: bool) -> None:
-        """In "the green box with the blue box", the second may be meant to come along."""
+    def done_there(self, phrases: Iterable[Phrase]) -> None:
+        """In "bring the guard tea to drink", nothing goes to a drink."""
         for phrase in phrases:
-            words = phrase.description.lower().split()
-            if words[:1] == ["with"] and goes:
-                raise UnclearError(f"it is not clear whether {phrase.description!r} says who or what comes along")
-            name = " ".join(
-                words[2:] if words[1:2] and words[1] in {"the", "a", "an", "his", "her", "its"} else words[1:]
-            )
-            if words[:1] == ["with"] and name in self.phrases.known:
-                raise UnclearError(f"it is not clear whether {name!r} is meant as well; say 'and' if it is")
+            name = phrase.name
+            if not phrase.determined and name in english_verbs() and self.phrases.kind_of(phrase) in {None, "object"}:
+                raise UnclearError(f"'to {name}' may say what it is for")

@@ -47,7 +47,7 @@ class Telling:
     def _placed(self, clause: Clause, phrases: tuple[Phrase, ...], where: str) -> Goal | Trouble:
         """Where somebody is said to be; the scene has the last word, and without one the plan makes no use of it."""
         try:
-            self.hearing.refusals.robots(phrases)
+            self.hearing.doers.robots(phrases)
             mentions = tuple(mention for phrase in phrases for mention in self.hearing.speakers.resolve(phrase))
         except UnclearError as unclear:
             return trouble("unclear", clause, str(unclear))
@@ -63,7 +63,7 @@ class Telling:
 
     def _stated(self, clause: Clause, stated: Statement) -> Goal | Trouble:
         try:
-            self.hearing.refusals.robots(stated.phrases)
+            self.hearing.doers.robots(stated.phrases)
             losers = tuple(m for phrase in stated.losers for m in self.hearing.speakers.resolve(phrase))
             groups = tuple(self.hearing.speakers.resolve(phrase) for phrase in stated.phrases)
         except UnclearError as unclear:
