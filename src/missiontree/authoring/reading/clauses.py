@@ -8,7 +8,7 @@ from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.language.lexicon import Lexicon, Verb
 from missiontree.authoring.reading.clause import SUBORDINATE, Clause, Relation
 from missiontree.authoring.reading.finishing import finished, says_something, without_openings
-from missiontree.authoring.reading.words import MODALS, STOPS, Word, is_mark
+from missiontree.authoring.reading.words import MODALS, OBJECTS, STOPS, Word, is_mark
 
 MAX_SUBJECT_WORDS = 10
 _CALLS = frozenset(
@@ -31,29 +31,6 @@ _CALLS = frozenset(
 )
 _COORDINATE = frozenset({"and", "then", "meanwhile"})
 _TO_MAIN = frozenset({"then", "and", "meanwhile", "earlier", "or"})
-_OBJECTS = frozenset(
-    {
-        "the",
-        "a",
-        "an",
-        "my",
-        "your",
-        "his",
-        "her",
-        "its",
-        "our",
-        "their",
-        "it",
-        "him",
-        "them",
-        "all",
-        "both",
-        "every",
-        "each",
-        "this",
-        "that",
-    }
-)
 
 
 def clauses_of(words: tuple[Word, ...], lexicon: Lexicon) -> tuple[Clause, ...]:
@@ -139,7 +116,7 @@ class _Splitter:
         doing = self.lexicon.verb_at(lows, place + 1, "base")
         behind = place + 1 + doing.length if doing is not None else len(lows)
         about = self.words[behind] if behind < len(lows) else None
-        return about is not None and (about.low in _OBJECTS or about.text[:1].isupper())
+        return about is not None and (about.low in OBJECTS or about.text[:1].isupper())
 
     def _or_but(self, lows: list[str], place: int) -> int:
         """An *or* between two clauses, or a *but* that only goes on; 0 if it is neither."""

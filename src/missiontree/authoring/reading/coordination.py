@@ -12,13 +12,10 @@ from dataclasses import dataclass
 from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.reading.places import is_designation
 from missiontree.authoring.reading.wording import PREPOSITIONS, TO
-from missiontree.authoring.reading.words import Word
+from missiontree.authoring.reading.words import DETERMINERS, Word
 
 MAX_OPTIONS = 6
 _TO = frozenset(TO.split("|"))
-_DETERMINERS = frozenset(
-    {"the", "a", "an", "my", "your", "his", "her", "its", "our", "their", "this", "that", "these", "those"}
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +89,7 @@ def gaps(words: tuple[Word, ...], verb_length: int) -> Iterator[tuple[tuple[Word
 def _begins(lows: Sequence[str], start: int, verb_length: int) -> bool:
     """Whether an option may begin there: behind the verb, a preposition, an article, a comma."""
     before = lows[start - 1]
-    return start == verb_length or lows[start] in PREPOSITIONS or before in PREPOSITIONS or before in _DETERMINERS
+    return start == verb_length or lows[start] in PREPOSITIONS or before in PREPOSITIONS or before in DETERMINERS
 
 
 def _within_list(lows: Sequence[str], start: int, verb_length: int) -> bool:
@@ -130,7 +127,7 @@ def _adjectives(left: Sequence[tuple[Word, ...]], right: Sequence[Word]) -> bool
 
 
 def _says_which(word: Word) -> bool:
-    return word.text.isalpha() and word.text.islower() and kind_of(word.low) is None and word.low not in _DETERMINERS
+    return word.text.isalpha() and word.text.islower() and kind_of(word.low) is None and word.low not in DETERMINERS
 
 
 def _with_noun_of(option: tuple[Word, ...], first: tuple[Word, ...]) -> tuple[Word, ...]:
@@ -141,11 +138,11 @@ def _with_noun_of(option: tuple[Word, ...], first: tuple[Word, ...]) -> tuple[Wo
 
 def _with_head(option: tuple[Word, ...], last: tuple[Word, ...]) -> tuple[Word, ...]:
     """The option in full: "the red" before "or the yellow generator" is "the red generator"."""
-    bare = len(option) == 1 and len(last) > 1 and last[0].low not in _DETERMINERS and kind_of(last[0].low) is None
+    bare = len(option) == 1 and len(last) > 1 and last[0].low not in DETERMINERS and kind_of(last[0].low) is None
     if bare and kind_of(option[0].low) is None and option[0].text.islower() and last[0].text.islower():
         return (*option, *last[1:])
-    says_which = len(option) == 2 and option[0].low in _DETERMINERS and kind_of(option[1].low) is None
-    if not says_which or option[1].text[:1].isupper() or len(last) < 3 or last[0].low not in _DETERMINERS:
+    says_which = len(option) == 2 and option[0].low in DETERMINERS and kind_of(option[1].low) is None
+    if not says_which or option[1].text[:1].isupper() or len(last) < 3 or last[0].low not in DETERMINERS:
         return option
     return (*option, *last[2:])
 

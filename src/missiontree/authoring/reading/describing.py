@@ -9,49 +9,7 @@ from missiontree.authoring.language.lexicon import Lexicon, phrases_of
 from missiontree.authoring.reading.listing import is_letter
 from missiontree.authoring.reading.words import Word
 
-# A description that holds one of these says what is to be done, or with what, and not who is meant.
-_NOT_DESCRIBING = frozenset(
-    {
-        "using",
-        "or",
-        "either",
-        "nor",
-        "help",
-        "order",
-        "sequence",
-        "turn",
-        "turns",
-        "means",
-        "to",
-        "into",
-        "onto",
-        "for",
-        "by",
-        "toward",
-        "towards",
-        "then",
-        "as",
-        "back",
-    }
-) | {
-    "during",
-    "within",
-    "through",
-    "via",
-    "signal",
-    "following",
-    "ignoring",
-    "birthday",
-    "absence",
-    "request",
-    "demand",
-    "payment",
-    "condition",
-    "conditions",
-    "arrival",
-    "event",
-    "sound",
-}
+_NOT_DESCRIBING = frozenset(word for (word,) in phrases_of("statements", "not_describing"))
 
 _NEAR = frozenset({"with", "by", "near", "beside", "for", "to", "from"})
 

@@ -19,7 +19,7 @@ from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.plurals import noun_of
 from missiontree.authoring.reading.remarks import Read, Said, assumed, reading_line, unused_words
 from missiontree.authoring.reading.wording import GOING
-from missiontree.authoring.reading.words import Word
+from missiontree.authoring.reading.words import DETERMINERS, Word
 from missiontree.mission.scene import BASE_KINDS
 
 Bindings = dict[str, tuple[Mention, ...]]
@@ -236,11 +236,8 @@ def _returns(clause: Clause) -> bool:
     """Whether something is brought back to where it was before."""
     lows = [word.low for word in clause.words]
     return lows[:1] == ["return"] or any(
-        low == "back" and lows[at - 1] not in _DETERMINERS for at, low in enumerate(lows)
+        low == "back" and lows[at - 1] not in DETERMINERS for at, low in enumerate(lows)
     )
-
-
-_DETERMINERS = frozenset({"the", "a", "an", "this", "that", "my", "your", "his", "her", "its", "our", "their"})
 
 
 def _from_site(read: Read) -> Read:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from missiontree.authoring.language.lexicon import Lexicon
 from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.wording import PREPOSITIONS
+from missiontree.authoring.reading.words import ARTICLES, POSSESSIVES
 
-_DROPPED = frozenset({"the", "a", "an", "my", "your", "his", "her", "its", "our", "their", "some", "any", "me", "us"})
+_DROPPED = ARTICLES | POSSESSIVES | {"some", "any", "me", "us"}
 
 
 def idiom_in(clause: Clause, lexicon: Lexicon) -> str:

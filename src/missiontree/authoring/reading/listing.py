@@ -9,9 +9,9 @@ from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.language.lexicon import PhraseTable
 from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.plurals import is_plural, singular
-from missiontree.authoring.reading.words import Word
+from missiontree.authoring.reading.words import POSSESSIVES, Word
 
-_THE = frozenset({"the", "my", "your", "his", "her", "its", "our", "their"})
+_THE = {"the"} | POSSESSIVES
 
 
 def is_letter(word: Word) -> bool:

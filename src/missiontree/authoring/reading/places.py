@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from missiontree.authoring.reading.words import ARTICLES, POSSESSIVES
 from missiontree.mission.entity import Entity
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
@@ -15,7 +16,7 @@ _NUMBERS = frozenset(
     {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"}
 )
 _TITLES = {"prof": "professor", "dr": "doctor"}
-_DETERMINERS = frozenset({"the", "a", "an", "my", "your", "his", "her", "its", "our", "their"})
+_BEFORE_NAMES = ARTICLES | POSSESSIVES
 
 
 def place_said(description: str, scene: Scene) -> Entity | None:
@@ -26,7 +27,7 @@ def place_said(description: str, scene: Scene) -> Entity | None:
         words = words[words[:1] != [] and words[0] in _STAYING :]
     if len(words) < 2 or words[0] not in _AT:
         return None
-    name = " ".join(words[1 + (words[1] in _DETERMINERS) :])
+    name = " ".join(words[1 + (words[1] in _BEFORE_NAMES) :])
     named = [entity for entity in scene.all_entities if name in spellings(entity)]
     return named[0] if len(named) == 1 else None
 

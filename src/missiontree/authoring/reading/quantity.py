@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from missiontree.authoring.language.kinds import kind_of
-from missiontree.authoring.reading.words import Word
+from missiontree.authoring.reading.words import POSSESSIVES, Word
 
 MAX_COUNT = 20
 NUMBERS: Mapping[str, int] = MappingProxyType(
@@ -19,7 +19,7 @@ NUMBERS: Mapping[str, int] = MappingProxyType(
     }
 )  # fmt: skip
 ORDINALS: Mapping[str, int] = MappingProxyType({"first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5})
-_DETERMINERS = frozenset({"the", "my", "your", "his", "her", "its", "our", "their", "these", "those"})
+_DETERMINERS = {"the", "these", "those"} | POSSESSIVES
 _VAGUE = frozenset({"some", "any"})
 
 

@@ -15,6 +15,7 @@ from missiontree.authoring.reading.hearing import Hearing
 from missiontree.authoring.reading.outcomes import Goal, Trouble, Unserved, trouble
 from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.statements import Statement, danger_of, feeling_of, place_of, site_of, statement_of
+from missiontree.authoring.reading.words import OBJECTS
 from missiontree.mission.reason import Reason
 
 _ALIKE = 0.82  # "serch" is like "search"; "send" is not like "mend"
@@ -111,28 +112,4 @@ _SAYS = frozenset(
 def _is_order(clause: Clause) -> bool:
     """Whether a clause is an order with a verb that nobody serves: "wax the skis"; a statement has a verb of its own elsewhere."""
     lows = [word.low for word in clause.words]
-    return len(lows) > 1 and lows[0] in english_verbs() and lows[1] in _OBJECTS and not _SAYS & set(lows)
-
-
-_OBJECTS = frozenset(
-    {
-        "the",
-        "a",
-        "an",
-        "my",
-        "your",
-        "his",
-        "her",
-        "its",
-        "our",
-        "their",
-        "it",
-        "them",
-        "all",
-        "both",
-        "every",
-        "each",
-        "these",
-        "those",
-    }
-)
+    return len(lows) > 1 and lows[0] in english_verbs() and lows[1] in OBJECTS and not _SAYS & set(lows)

@@ -8,15 +8,12 @@ from dataclasses import replace
 from missiontree.authoring.language.lexicon import Lexicon, Verb
 from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.phrases import PhraseReader
-from missiontree.authoring.reading.words import Word
+from missiontree.authoring.reading.words import DETERMINERS, Word
 
 TO = "to|into|onto|toward|towards"
 ANY = f"{TO}|at|in|on|from|with|for|inside|near|against|under|over|around|between|about|by"
 ANY_BUT_WITH = "|".join(word for word in ANY.split("|") if word != "with")
 PREPOSITIONS = frozenset(ANY.split("|"))
-_DETERMINERS = frozenset(
-    {"the", "a", "an", "her", "his", "my", "our", "their", "its", "your", "this", "that", "these", "those"}
-)
 _PARTICLES = frozenset({"back", "over", "along", "away", "down", "up", "out"})
 _RECEIVERS = frozenset({"him", "her", "them"})
 
@@ -110,7 +107,7 @@ def plain_order(clause: Clause, *, moves: bool = True) -> tuple[Word, ...]:
         before = words[-1].low if words else ""
         if word.low in {"home", "there"} and not following and place > length:
             object_her = before == "her" and place == length + 1
-            if object_her or not (before in PREPOSITIONS | _DETERMINERS or before.endswith("'s")):
+            if object_her or not (before in PREPOSITIONS | DETERMINERS or before.endswith("'s")):
                 words.append(Word("to", "to"))
         words.append(word)
     return tuple(words)
@@ -185,7 +182,7 @@ def receiver_behind(words: tuple[Word, ...], start: int, phrases: PhraseReader) 
     splits = [
         place
         for place in range(start + 1, len(words))
-        if words[place].low in _DETERMINERS
+        if words[place].low in DETERMINERS
         and _is_receiver(words[start:place], phrases)
         and phrases.phrases(words[place:])
     ]

@@ -9,6 +9,13 @@ from dataclasses import dataclass
 MAX_WORDS = 1000
 MARK = "@"  # begins a word that stands for a robot; no word of a text does, since signs are words of their own
 STOPS = frozenset(".!?;:")
+ARTICLES = frozenset({"the", "a", "an"})
+POSSESSIVES = frozenset({"my", "your", "his", "her", "its", "our", "their"})
+POINTING = frozenset({"this", "that", "these", "those"})
+DETERMINERS = ARTICLES | POSSESSIVES | POINTING
+"""What a noun phrase begins with."""
+OBJECTS = DETERMINERS | {"it", "him", "them", "all", "both", "every", "each"}
+"""What the object of a verb begins with, if it is no bare noun."""
 MODALS = frozenset({"must", "should", "shall", "to"})
 MUST = frozenset({"has", "have", "needs", "need", "is", "are", "ought"})
 _TITLES = frozenset({"mr", "mrs", "ms", "dr", "prof"})
