@@ -22,6 +22,9 @@ NAMES = PhraseTable({("salt", "and", "pepper"): "salt and pepper"})
         ("docks 1, 2 and 3", ["dock 1", "dock 2", "dock 3"]),
         ("blocks A and B", ["block A", "block B"]),
         ("dock 1 and gate 2", ["dock 1", "gate 2"]),
+        ("the white and the black van", ["the white van", "the black van"]),
+        ("the larch and the red pine", ["the larch", "the red pine"]),
+        ("the wug and the blorp press", ["the wug", "the blorp press"]),  # an unknown noun is no adjective
         ("the white and black vans", ["the white vans", "black vans"]),
         ("the white and black van", ["the white and black van", "black van"]),  # one or two: nobody knows
         ("the white door and the black van", ["the white door", "the black van"]),

@@ -14,7 +14,21 @@ from missiontree.authoring.reading.plurals import noun_of
 from missiontree.authoring.reading.words import Word
 
 _RIDDEN = frozenset(
-    {"escalator", "stairs", "staircase", "underground", "cab", "taxi", "bike", "bicycle", "road", "path"}
+    {
+        "escalator",
+        "stairs",
+        "staircase",
+        "underground",
+        "cab",
+        "taxi",
+        "bike",
+        "bicycle",
+        "road",
+        "path",
+        "shuttle",
+        "jeep",
+        "motorway",
+    }
 )
 
 
@@ -69,7 +83,10 @@ class Doers:
         """Who takes the bus to the stadium goes there by bus, and brings no bus."""
         for phrase in phrases if verb == "take" else ():
             name = phrase.name.lower()
-            if noun_of(name) in self.lexicon.words["vessels"] | _RIDDEN and name not in self.phrases.known:
+            if (
+                noun_of(name) in self.lexicon.words["vessels"] | self.lexicon.words["movers"] | _RIDDEN
+                and name not in self.phrases.known
+            ):
                 raise UnclearError(f"{phrase.text!r} may be the way to go there; say 'bring' if it is to be brought")
 
     def companions(self, words: Iterable[Word], goals: Collection[str]) -> None:

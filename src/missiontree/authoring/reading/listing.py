@@ -6,11 +6,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from missiontree.authoring.language.kinds import kind_of
-from missiontree.authoring.language.lexicon import PhraseTable
+from missiontree.authoring.language.lexicon import PhraseTable, phrases_of
 from missiontree.authoring.reading.phrase import Phrase
 from missiontree.authoring.reading.plurals import is_plural, singular
 from missiontree.authoring.reading.words import POSSESSIVES, Word
 
+_QUALITIES = frozenset(word for (word,) in phrases_of("words", "qualities"))
 _THE = {"the"} | POSSESSIVES
 
 
@@ -26,15 +27,10 @@ def _numbered_alike(parts: Iterable[tuple[Word, ...]]) -> Iterator[tuple[Word, .
     for place, part in enumerate(listed):
         made: tuple[Word, ...]
         following = listed[place + 1] if place + 1 < len(listed) else ()
-        if (
-            len(part) == 2
-            and part[0].low in _THE
-            and _says_which(part[1])
-            and len(following) > 1
-            and following[0].low not in _THE
-        ):
-            one = not is_plural(following[-1].low)  # "the white and black van" is one, or two: no name
-            made = (*part, Word("and", "and"), *following) if one else (*part, following[-1])
+        if len(part) == 2 and part[0].low in _THE and _is_short_for(part[1], following):
+            several = is_plural(following[-1].low) or following[0].low in _THE
+            # "The white and the black van" are two, "the white and black van" is one, or two: no name.
+            made = (*part, following[-1]) if several else (*part, Word("and", "and"), *following)
         elif len(part) == 1 and _designates(part[0]) and len(before) > 1:
             made = (*before[:-1], part[0])
         elif len(following) == 1 and _designates(following[0]) and len(part) > 1 and _designates(part[-1]):
@@ -48,6 +44,13 @@ def _numbered_alike(parts: Iterable[tuple[Word, ...]]) -> Iterator[tuple[Word, .
 
 def _says_which(word: Word) -> bool:
     return kind_of(word.low) is None and word.text.islower() and word.text.isalpha()
+
+
+def _is_short_for(word: Word, following: Sequence[Word]) -> bool:
+    """Whether a word says which of the kind that the following phrase names, and is no noun that nobody knows."""
+    if len(following) < 2 or not _says_which(word):
+        return False
+    return following[0].low not in _THE or {word.low, following[1].low} <= _QUALITIES
 
 
 def _designates(word: Word) -> bool:

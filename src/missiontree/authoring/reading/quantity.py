@@ -10,14 +10,11 @@ from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.reading.words import POSSESSIVES, Word
 
 MAX_COUNT = 20
-NUMBERS: Mapping[str, int] = MappingProxyType(
-    {
-        word: number
-        for number, word in enumerate(
-            ["two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"], start=2
-        )
-    }
-)  # fmt: skip
+_IN_WORDS = (
+    *("two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"),
+    *("thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen", "nineteen", "twenty"),
+)
+NUMBERS: Mapping[str, int] = MappingProxyType({word: number for number, word in enumerate(_IN_WORDS, start=2)})
 ORDINALS: Mapping[str, int] = MappingProxyType({"first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5})
 _DETERMINERS = {"the", "these", "those"} | POSSESSIVES
 _VAGUE = frozenset({"some", "any"})

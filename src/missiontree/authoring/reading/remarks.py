@@ -43,7 +43,7 @@ def unused_words(outline: Outline, read: Read, said: Said, lexicon: Lexicon, sce
     used = {mention.name for piece in outline.pieces for leaf in piece.leaves for mention in leaf.mentions}
     for slot, phrases in read.items():
         for phrase in phrases:
-            if phrase.description and not _is_used(phrase.description, said[slot], lexicon, scene):
+            if phrase.description and not (phrase.lost or _is_used(phrase.description, said[slot], lexicon, scene)):
                 message = f"{phrase.description!r} is taken to describe {phrase.name}; the plan makes no use of it."
                 yield Reason(rule="description_unused", message=message, severity="assumption", node=phrase.name)
             for choice in (state for state in phrase.states if state in lexicon.words["choosing"]):
@@ -54,6 +54,7 @@ def unused_words(outline: Outline, read: Read, said: Said, lexicon: Lexicon, sce
             if (
                 mention.name not in used
                 and not shown
+                and not lexicon.hazards_in(mention.label.lower().split())  # it called for somebody
                 and not any(name.endswith(f" of {mention.label}") for name in used)
             ):
                 message = f"{mention.label} does not change what is planned."

@@ -36,6 +36,7 @@ class Telling:
             if site is not None:
                 with suppress(UnclearError):
                     self.hearing.speakers.remember((self.hearing.speakers.resolve(site),))
+            self._statements.append((clause, (), dangers))
             return Goal(clause, Outline(), f"{clause.text!r}: a statement; danger: {', '.join(dangers)}")
         if (stated := statement_of(clause, self.hearing.phrases, self.hearing.lexicon)) is not None:
             return self._stated(clause, stated)
@@ -101,7 +102,8 @@ class Telling:
         for clause, mentions, hazards in self._statements:
             if not ({mention.name for mention in mentions} & spoken or set(hazards) & self.hearing.called_for):
                 message = f"{clause.text!r} does not change what is planned."
-                yield Reason(rule="words_unused", message=message, severity="assumption", node=mentions[0].label)
+                about = mentions[0].label if mentions else ""
+                yield Reason(rule="words_unused", message=message, severity="assumption", node=about)
 
 
 _SAYS = frozenset(
