@@ -230,3 +230,17 @@ def test_a_robot_of_the_fleet_is_nobody_to_be_searched_for() -> None:
 def test_a_statement_is_no_goal() -> None:
     assert authored("The dog has been found").status == "incomplete"
     assert calls(authored("The dog must be found")) == ["Search(dog)"]
+
+
+def test_choice_among_very_many_has_a_label_that_fits() -> None:
+    made = authored(" or ".join(["find the dog"] * 90))
+    assert made.status == "complete"
+    assert made.tree is not None
+    assert all(len(node.label) < 200 for node in made.tree.nodes[1:])
+
+
+def test_nobody_is_told_that_a_capability_is_there_that_who_is_asked_for_lacks() -> None:
+    made = authored("The mobile scooter should bring the box to Anna.")
+    assert made.status == "cannot_be_done"
+    assert made.reasons[0].needed == "carry"
+    assert [notice.rule for notice in made.notices if notice.rule == "capability_present"] == []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -42,6 +43,31 @@ def test_a_mission_file_that_names_no_fleet_takes_the_one_beside_it(shell: Shell
     (site / "mission.yaml").write_text("mission: Find the cat", encoding="utf-8")
     assert "nobody_else-1" in shell("plan", "site/mission.yaml").out
     assert "nobody_else-1" in shell("plan", "site").out
+
+
+def test_a_mission_file_takes_what_it_names_and_not_what_lies_where_one_stands(
+    shell: Shell, site: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (site / "other.yaml").write_text(FLEET.replace("nobody_else", "somebody"), encoding="utf-8")
+    (site / "patrol.yaml").write_text("mission: Find the cat\nfleet: other.yaml\n", encoding="utf-8")
+    monkeypatch.chdir(site)
+    ran = shell("plan", "patrol.yaml")
+    assert "somebody-1" in ran.out, ran
+    (site / "patrol.yaml").write_text("mission: Find the cat\nfleet: gone.yaml\n", encoding="utf-8")
+    ran = shell("plan", "patrol.yaml")
+    assert ran.code == 2
+    assert "gone.yaml: there is no such file" in ran.err
+
+
+@pytest.mark.skipif(getattr(os, "geteuid", int)() == 0, reason="root may read every folder")
+def test_a_folder_that_may_not_be_read_is_bad_input(shell: Shell, site: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    site.chmod(0)
+    try:
+        ran = shell("plan", "site")
+    finally:
+        site.chmod(0o700)
+    assert ran.code == 2
+    assert "this folder may not be read" in ran.err
 
 
 def test_without_any_the_papers_team_is_taken(shell: Shell) -> None:

@@ -51,9 +51,11 @@ def _refused(desk: Desk, refusal: Answer) -> Authored:
     why = [reason for reason in refusal.reasons[1:] if reason.needed and reason.rule not in _NO_LACK]
     lacks = [reason for reason in why if reason.rule == "capability_missing"] or why
     needed = [reason.needed for reason in lacks]
-    missing = ", ".join(dict.fromkeys(needed)) or f"a robot that can do {refusal.reasons[0].node}"
+    somebody = f"a robot that can do {refusal.reasons[0].node}"
+    missing = ", ".join(dict.fromkeys(needed)) or somebody
     first = replace(refusal.reasons[0], needed=missing[:200])
-    return desk.declared_impossible((first, *refusal.reasons[1:]), missing)
+    here = any(kind.capability(need) is not None for need in needed for kind in desk.brief.fleet.types)
+    return desk.declared_impossible((first, *refusal.reasons[1:]), somebody if here else missing)
 
 
 @dataclass

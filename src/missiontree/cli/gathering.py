@@ -36,10 +36,10 @@ def gather(
     InputError
         If anything given is not what it should be.
     """
-    from missiontree.briefing import request_from
+    from missiontree.briefing import MISSION_FILES, request_from
 
     source, project = _mission(mission, sample)
-    in_words = isinstance(source, str) and project is None
+    in_words = isinstance(source, str) and not source.endswith(MISSION_FILES) and project is None
     return request_from(
         source,
         fleet=fleet or (_here("fleet.yaml") if in_words else None),
@@ -66,7 +66,7 @@ def _mission(mission: str | None, sample: str | None) -> tuple[str | Path, Path 
             raise InputError("both a mission and --sample are given", accepted="one of them")
         return sample_file(sample), None
     if mission is None:
-        if not here.exists():
+        if not os.path.lexists(here):  # Path.exists fails in a folder that may not be read
             raise InputError(
                 "no mission is given, and this folder has no mission.yaml",
                 accepted='a sentence ("Reunite mom with her lost child"), a mission file, or --sample NAME',
@@ -75,12 +75,14 @@ def _mission(mission: str | None, sample: str | None) -> tuple[str | Path, Path 
         return here, None
     if mission.strip() and os.path.isdir(mission):  # Path.is_dir fails on a sentence of a thousand words
         return _of_folder(Path(mission)), None
-    return mission, here if here.exists() else None
+    return mission, here if os.path.lexists(here) else None
 
 
 def _of_folder(folder: Path) -> Path:
     file = folder / "mission.yaml"
-    if not file.exists():
+    if not os.access(folder, os.X_OK):
+        raise InputError("this folder may not be read", file=str(folder), accepted="a folder that you may read")
+    if not os.path.lexists(file):
         raise InputError(
             "this is a folder without a mission.yaml",
             file=str(folder),
@@ -92,7 +94,7 @@ def _of_folder(folder: Path) -> Path:
 def _here(name: str) -> Path | None:
     """The file of that name in the folder one stands in, if there is one."""
     path = Path(name)
-    return path if path.is_file() else None
+    return path if os.path.isfile(path) else None
 
 
 def _weights(text: str | None) -> Weights | None:

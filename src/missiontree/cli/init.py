@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated
 
@@ -23,7 +24,7 @@ def command(
 
     sources = sorted(file for file in PROJECT.rglob("*") if file.suffix in {".yaml", ".md"})
     targets = [folder / file.relative_to(PROJECT) for file in sources]
-    if taken := [target for target in targets if target.exists()]:
+    if taken := [target for target in targets if os.path.lexists(target)]:
         raise InputError(
             "the file is there already",
             file=str(taken[0]),

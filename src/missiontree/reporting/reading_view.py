@@ -38,11 +38,17 @@ def _parts(plan: Plan) -> Iterator[RenderableType]:
     yield from _titled("Clauses", clauses)
     if plan.tree is not None:
         yield from _titled("Who and what is meant", [_entities(plan)] if _named(plan.tree) else [])
-        yield from _titled("Order", [Text(line) for line in link_words(shape_of(plan.tree))] or [Text("none is said")])
+        order = [Text(line) for line in link_words(shape_of(plan.tree))]
+        yield from _titled("Order", order or ([Text("none is said")] if _is_built(plan) else []))
     yield from _titled("Why it is not planned", [reason_line(reason) for reason in said_once(plan.reasons)])
     yield from _titled("Look at", [reason_line(reason) for reason in plan.findings])
     yield from _titled("Done on your behalf", [reason_line(reason) for reason in plan.notices])
     yield from _titled("Assumed", [reason_line(reason) for reason in plan.assumptions])
+
+
+def _is_built(plan: Plan) -> bool:
+    """Whether the tree holds all that was read; one that was left unfinished says nothing about order."""
+    return plan.outcome not in {"incomplete", "cannot_be_done"}
 
 
 def _titled(title: str, body: Sequence[RenderableType]) -> Iterator[RenderableType]:

@@ -180,3 +180,26 @@ def test_order_that_was_said_is_not_added() -> None:
     returning = replace(returning, returns=True)
     brought_before_returned([goal("bring the pump to the field", away), returning], made)
     assert made.implied == []
+
+
+def test_search_that_a_choice_may_take_away_serves_nobody_outside_it() -> None:
+    inside = Piece("one", pieces=[do("Search", LOST), do("Reach", "hall")], gate="xor")
+    made = composition(inside, do("Follow", LOST))
+    search_first([], LIBRARY, made)
+    assert tops(made)[0] == "Search(Cat)"
+    assert rules(made) == ["search_added"]
+
+
+def test_search_outside_a_choice_serves_every_option() -> None:
+    made = composition(do("Search", LOST), Piece("one", pieces=[do("Follow", LOST), do("Reach", "hall")], gate="xor"))
+    search_first([], LIBRARY, made)
+    assert rules(made) == []
+
+
+def test_event_that_both_are_found_takes_no_search_away() -> None:
+    cat, dog = do("Search", "cat"), do("Search", "dog")
+    event = goal("the cat and the dog are found", do("Search", "cat"), do("Search", "dog"), relation="after")
+    made = Composition()
+    search_once([goal("find the cat", cat), goal("find the dog", dog), event], LIBRARY, made)
+    assert len(event.outline.pieces) == 2  # what they stand for is told apart later, and nothing was done twice
+    assert rules(made) == []

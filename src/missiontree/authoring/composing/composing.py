@@ -16,7 +16,7 @@ from missiontree.authoring.composing.searching import (
     search_once,
 )
 from missiontree.authoring.composing.units import units_of
-from missiontree.authoring.methods.mention import title
+from missiontree.authoring.methods.mention import heading
 from missiontree.authoring.methods.outline import Outline, Piece
 from missiontree.authoring.reading.outcomes import Goal
 from missiontree.mission.routine import RoutineLibrary
@@ -73,10 +73,10 @@ def _top(goal: Goal, outline: Outline) -> list[Piece]:
         return []
     if len(goal.outline.pieces) == 1 and not _stands(goal.outline.pieces[0], outline.pieces):
         return goal.outline.pieces
-    label, number = title(goal.clause.text), 1
+    label, number = heading(goal.clause.text), 1
     while any(piece.routine is None and piece.label == label for piece in outline.pieces):
         number += 1
-        label = f"{title(goal.clause.text)} ({number})"
+        label = f"{heading(goal.clause.text)} ({number})"
     return [Piece(label, pieces=goal.outline.pieces)]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from missiontree.authoring.composing.composition import EVENTS, Composition, leaves
+from missiontree.authoring.composing.options import Options
 from missiontree.authoring.composing.standing import StandingOrder
 from missiontree.authoring.methods.mention import Mention
 from missiontree.authoring.methods.outline import Outline, Piece, found_by, leaf_of
@@ -64,10 +65,10 @@ def search_first(goals: Sequence[Goal], library: RoutineLibrary, made: Compositi
         (r for r in library.routines if len(r.arguments) == 1 and found_by(r, library) and not _lasts(r, library)), None
     )
     lost = dict.fromkeys(mention.name for leaf in everything for mention in leaf.mentions if mention.to_be_found)
-    added = 0
+    added, options = 0, Options(made.outline)
     for name in lost:
         users = [leaf for leaf in everything if any(m.name == name for m in leaf.mentions)]
-        users = [leaf for leaf in users if not _is_found_for(leaf, name, everything, library, made.outline)]
+        users = [leaf for leaf in users if not _is_found_for(leaf, name, everything, library, options)]
         if search is None or not users:
             continue
         mention = next(m for leaf in everything for m in leaf.mentions if m.name == name and m.to_be_found)
@@ -76,28 +77,18 @@ def search_first(goals: Sequence[Goal], library: RoutineLibrary, made: Compositi
         if not _found_in_option(made.outline, users, finder):
             made.outline.pieces.insert(added, finder)
             added += 1
+        options = Options(made.outline)
         why = "is said to be lost" if mention.lost else "is at an unknown position"
         message = f"{finder.label} was added: {mention.label} {why}."
         made.notices.append(Reason(rule="search_added", message=message, severity="notice", node=mention.name))
 
 
 def _is_found_for(
-    user: Piece, name: str, everything: Sequence[Piece], library: RoutineLibrary, outline: Outline
+    user: Piece, name: str, everything: Sequence[Piece], library: RoutineLibrary, options: Options
 ) -> bool:
     """Whether somebody is searched for whenever a leaf is done: by it, or by one that no choice takes away alone."""
     finders = [leaf for leaf in everything if leaf.finds(name, library)]
-    return any(finder is user or _options(outline, finder) <= _options(outline, user) for finder in finders)
-
-
-def _options(outline: Outline, leaf: Piece) -> set[tuple[int, int]]:
-    """The options of choices that a leaf hangs below: by identity of the choice, and by number."""
-    choices = (piece for piece in outline.all_pieces if piece.gate == "xor" and piece.routine is None)
-    return {
-        (id(choice), number)
-        for choice in choices
-        for number, option in enumerate(choice.pieces)
-        if leaf in set(option.leaves)
-    }
+    return any(finder is user or options.done_with(finder, user) for finder in finders)
 
 
 def _standing_for(name: str, goals: Sequence[Goal]) -> tuple[str, ...]:
@@ -144,15 +135,15 @@ def brought_before_returned(goals: Sequence[Goal], made: Composition) -> None:
 def found_before_used(library: RoutineLibrary, made: Composition) -> None:
     """Who is searched for is found before anything else is done with them, if no order is said."""
     everything = list(leaves(made.outline))
-    order = StandingOrder(made.outline)
+    order, options = StandingOrder(made.outline), Options(made.outline)
     for finder in (leaf for leaf in everything if leaf.routine is not None and found_by(leaf.routine, library)):
         for user in everything:
             if not {m.name for m in finder.mentions} & {m.name for m in user.mentions}:
                 continue
             if (
                 finder is user
-                or _exclude_each_other(made.outline, finder, user)
                 or not _shared(finder, user, library)
+                or options.exclude(finder, user)
                 or order.between(finder, user)
             ):
                 continue
@@ -160,17 +151,6 @@ def found_before_used(library: RoutineLibrary, made: Composition) -> None:
             order.add(finder, user)
             message = f"{finder.label} goes before {user.label}, though no order was said."
             made.notices.append(Reason(rule="order_added", message=message, severity="notice", node=user.label))
-
-
-def _exclude_each_other(outline: Outline, one: Piece, other: Piece) -> bool:
-    """Whether two leaves hang below different options of a choice."""
-    for choice in (piece for piece in outline.all_pieces if piece.gate == "xor" and piece.routine is None):
-        sides = [
-            number for leaf in (one, other) for number, option in enumerate(choice.pieces) if leaf in option.leaves
-        ]
-        if len(sides) == 2 and sides[0] != sides[1]:
-            return True
-    return False
 
 
 def _shared(finder: Piece, user: Piece, library: RoutineLibrary) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from textwrap import shorten
 
 _SMALL = frozenset(
     {"the", "a", "an", "and", "or", "of", "in", "on", "at", "to", "with", "for", "from", "by", "into", "her", "his", "its", "their"}
@@ -52,6 +53,14 @@ class Mention:
 
 class UnclearError(Exception):
     """What is meant cannot be said; carries a sentence that asks. Never leaves the reading of a clause."""
+
+
+MOST_OF_A_HEADING = 160
+
+
+def heading(text: str) -> str:
+    """The text as the label of a task: a :func:`title`, cut behind a word where it is longer than anybody reads."""
+    return shorten(title(text), MOST_OF_A_HEADING, placeholder=" …")
 
 
 def title(text: str) -> str:

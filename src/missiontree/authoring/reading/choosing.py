@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from missiontree.authoring.methods.mention import title
+from missiontree.authoring.methods.mention import heading
 from missiontree.authoring.methods.outline import Outline, Piece
 from missiontree.authoring.reading.clause import Clause
 from missiontree.authoring.reading.outcomes import Goal
@@ -23,7 +23,7 @@ def choice_of(clause: Clause, goals: Sequence[Goal]) -> Goal:
         options = [option_of(_without(goal.outline, shared), goal.clause.text) for goal in distinct]
         links = [link for goal in distinct for link in goal.outline.links]
         common = [piece for piece in outline.pieces if piece.routine is not None and piece.call in shared]
-        outline = Outline([*common, Piece(title(clause.text), pieces=options, gate="xor")], links)
+        outline = Outline([*common, Piece(heading(clause.text), pieces=options, gate="xor")], links)
     return Goal(
         clause,
         outline,
@@ -46,7 +46,7 @@ def both_of(clause: Clause, goals: Sequence[Goal]) -> Goal:
 
 def option_of(pieces: Sequence[Piece], label: str) -> Piece:
     """One piece for an option of a choice."""
-    return pieces[0] if len(pieces) == 1 else Piece(title(label), pieces=list(pieces))
+    return pieces[0] if len(pieces) == 1 else Piece(heading(label), pieces=list(pieces))
 
 
 def _shared(goals: Sequence[Goal]) -> list[tuple[object, ...]]:
