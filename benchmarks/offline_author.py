@@ -9,6 +9,7 @@ usage: python -m benchmarks.offline_author [--part open|aside|all] [--seed 20250
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -135,7 +136,8 @@ def main() -> None:
     try:
         suite = load_suite(options.suite)
     except InputError as error:
-        raise SystemExit(str(error)) from None
+        print(error, file=sys.stderr)
+        raise SystemExit(2) from None
     chosen = list(missions_of(suite, options.part, options.seed))
     if options.list:
         print("\n".join(mission.id for _, mission in chosen))

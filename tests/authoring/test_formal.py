@@ -366,3 +366,9 @@ def test_the_transcript_replays_to_the_same_tree(fleet: Fleet) -> None:
     again = replay(made.transcript, mission)
     assert (again.status, again.tree, again.reading) == ("complete", made.tree, made.reading)
     assert all(notice.rule != "other_inputs" for notice in again.notices)
+
+
+def test_what_is_only_spoken_of_need_not_be_in_the_scene(fleet: Fleet) -> None:
+    made = author_formal(brief(fleet, goal(method="warn", slots={"target": "leo", "danger": "wasps"}), scene=SCENE))
+    assert made.status == "complete", made.reasons
+    assert "Reach(leo)" in calls(made.tree)

@@ -7,7 +7,7 @@ import pytest
 from missiontree.evaluation.differences import differences
 from missiontree.evaluation.expected import Expected
 from missiontree.mission.scene import Scene
-from missiontree.mission.tree import Link, MissionTree
+from missiontree.mission.tree import Link, LinkKind, MissionTree
 from tests.evaluation.trees import HOUSE, brief, leaf, task, tree
 
 
@@ -125,9 +125,10 @@ def test_equal_leaves_are_matched_by_what_relates_them() -> None:
     assert found(plan("Reach(Anna)", "Search(Mug)", "Reach(Anna)", order=("1 < 2",)), made) != ()
 
 
-def test_links_between_robots_are_a_difference() -> None:
-    made = tree(leaf("a", "Reach(x)"), leaf("b", "Reach(y)"), links=[Link("a", "b", "same_robot")], new=["X", "Y"])
-    assert "order not expected: Reach(X) and Reach(Y) by the same robot" in found(plan("Reach(X)", "Reach(Y)"), made)
+@pytest.mark.parametrize(("kind", "by"), [("same_robot", "the same robot"), ("different_robot", "different robots")])
+def test_links_between_robots_are_a_difference(kind: LinkKind, by: str) -> None:
+    made = tree(leaf("a", "Reach(x)"), leaf("b", "Reach(y)"), links=[Link("a", "b", kind)], new=["X", "Y"])
+    assert f"order not expected: Reach(X) and Reach(Y) by {by}" in found(plan("Reach(X)", "Reach(Y)"), made)
 
 
 def test_the_scene_says_whom_a_name_means() -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from missiontree.authoring.language.lexicon import Lexicon
 from missiontree.authoring.matching import did_you_mean, listed, quoted
-from missiontree.authoring.methods.mention import Mention, UnclearError, title
+from missiontree.authoring.methods.mention import Mention, UnclearError, title, topic
 from missiontree.authoring.methods.method import RESPONDER, Method, MethodLibrary
 from missiontree.authoring.methods.outline import Outline, Piece, StepError, fill, leaf_of, outline_of, restrict
 from missiontree.authoring.reading import outcomes
@@ -160,9 +160,15 @@ class Statements:
         form = self._form(method, goal, place)
         order = [element.text for element in form if element.kind == "slot"]
         order += [slot for slot in goal.slots if slot not in order]
-        said = {slot: tuple(self._mention(name, goal, place) for name in goal.filling(slot)) for slot in order}
+        topics = {slot for slot, conditions in method.where.items() if "topic" in conditions}
+        said = {
+            slot: tuple(
+                topic(name) if slot in topics else self._mention(name, goal, place) for name in goal.filling(slot)
+            )
+            for slot in order
+        }
         for slot, conditions in method.where.items():
-            if slot in said:
+            if slot in said and slot not in topics:
                 self._check_condition(slot, conditions, said, goal, place)
         hazards = [hazard for name in goal.entities for hazard in self._names.hazards(name)]
         try:

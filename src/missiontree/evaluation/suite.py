@@ -110,6 +110,8 @@ def load_suite(folder: Path) -> Suite:
     InputError
         If there is none, or a file cannot be read or contradicts another; with file and line.
     """
+    if not folder.is_dir():
+        raise InputError("there is no such folder", file=str(folder), accepted=f"a folder with a {MISSIONS} below it")
     files = sorted(folder.rglob(MISSIONS))
     if not files:
         raise InputError("there is no setting in this folder", file=str(folder), accepted=f"folders with a {MISSIONS}")

@@ -55,6 +55,11 @@ class UnclearError(Exception):
     """What is meant cannot be said; carries a sentence that asks. Never leaves the reading of a clause."""
 
 
+def topic(name: str, full: str = "") -> Mention:
+    """What is only spoken of, and is nobody of the scene."""
+    return Mention(title(name), title(name), title(full or name), "object")
+
+
 MOST_OF_A_HEADING = 160
 
 

@@ -23,7 +23,7 @@ from missiontree.mission.scene import BASE_KINDS
 from missiontree.mission.value import Id, Value, require_unique
 
 RESPONDER = "responder"
-CONDITIONS = (*BASE_KINDS, "lost", "hazard", "vessel")
+CONDITIONS = (*BASE_KINDS, "lost", "hazard", "vessel", "topic")
 BUILT_IN_FILES = ("bringing", "finding", "helping", "reaching", "rescuing")
 _SLOT = re.compile(r"[a-z][a-z0-9_]*")
 _FIELD = re.compile(r"\{(?:the )?(?:full )?([^{}]*)\}")
@@ -142,7 +142,8 @@ class Method(Value):
         Patterns, see :mod:`~missiontree.mission.pattern`.
     where
         What must hold of a slot, by its name, any of: ``person``, ``animal``, ``object``, ``place``, ``lost``, ``hazard``,
-        ``vessel`` (a thing that people are in, such as a ship or a tent).
+        ``vessel`` (a thing that people are in, such as a ship or a tent), ``topic`` (what is only spoken of: it need not be in the scene,
+        and no step does anything with it).
     implies
         What the method needs and nobody mentions, by the name that steps use. ``responder`` is always there: those who are
         called for the hazards that the words name, maybe nobody; a step that speaks of nobody is left out.

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from missiontree.authoring.language.kinds import kind_of
-from missiontree.authoring.methods.mention import Mention, UnclearError, title
+from missiontree.authoring.methods.mention import Mention, UnclearError, topic
 from missiontree.authoring.methods.method import RESPONDER, Method
 from missiontree.authoring.methods.outline import NobodyError, Outline, fill, leaf_of, outline_of
 from missiontree.authoring.methods.slots import Span, matches
@@ -124,13 +124,10 @@ class Fitting:
     def _named(
         self, candidate: Candidate, slot: str, phrases: tuple[Phrase, ...], number: int, beside: Collection[str]
     ) -> tuple[Mention, ...]:
-        """Who fills a slot; a hazard that only tells who is called is nobody to be found in the scene."""
-        if (
-            candidate.method is not None
-            and "hazard" in candidate.method.where.get(slot, ())
-            and self._is_hazard(phrases)
-        ):
-            return tuple(Mention(title(p.name), title(p.name), title(p.full), "object") for p in phrases)
+        """Who fills a slot; a hazard that only tells who is called, and a topic, need not be in the scene."""
+        conditions = candidate.method.where.get(slot, ()) if candidate.method is not None else ()
+        if "topic" in conditions or ("hazard" in conditions and self._is_hazard(phrases)):
+            return tuple(topic(phrase.name, phrase.full) for phrase in phrases)
         return self.hearing.speakers.resolved(phrases, number, _only_kind(candidate, slot), beside)
 
     def _standing(self, clause: Clause) -> tuple[str, ...]:
@@ -190,6 +187,8 @@ class Fitting:
         for slot, conditions in method.where.items():
             if slot not in said:
                 continue
+            if "topic" in conditions:
+                continue
             holds = {"hazard"} if self._is_hazard(read[slot]) else {mention.kind for mention in said[slot]}
             if all(noun_of(mention.label) in self.hearing.lexicon.words["vessels"] for mention in said[slot]):
                 holds.add("vessel")
@@ -229,7 +228,7 @@ def _made(candidate: Candidate) -> tuple[tuple[Mention, ...], ...]:
     """The photo of "take a photo of the owl": an "it" behind that may mean it, too."""
     words = [element.text for element in candidate.form if element.kind == "word"] if candidate.is_own else []
     made = [noun for article, noun in pairwise(words) if article in {"a", "an"} and kind_of(noun) == "object"]
-    return tuple((Mention(title(noun), title(noun), title(noun), "object"),) for noun in made)
+    return tuple((topic(noun),) for noun in made)
 
 
 def _returns(clause: Clause) -> bool:

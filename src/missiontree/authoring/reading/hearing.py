@@ -63,13 +63,19 @@ def hearing_of(brief: MissionBrief, library: MethodLibrary) -> Hearing:
         form: world.base_kind(entity.kind)
         for entity in world.all_entities
         for name in (entity.id, entity.label, *entity.aliases)
-        for form in (name.lower(), name.lower().replace("_", " ").replace("-", " "))
+        for form in _forms(name)
     }
     phrases = PhraseReader(lexicon, names)
     advice = RobotAdvice(brief.fleet, frozenset(names), lexicon)
     doers, refusals = Doers(lexicon, phrases, advice), Refusals(world, lexicon, phrases)
     speakers = Speakers(world, complete=brief.scene is not None)
     return Hearing(brief, library, lexicon, phrases, advice, doers, refusals, speakers)
+
+
+def _forms(name: str) -> tuple[str, ...]:
+    """A name as the words of a mission may hold it; "the head gardener" is a head gardener behind any article."""
+    low = name.lower()
+    return low, low.replace("_", " ").replace("-", " "), low.removeprefix("the ")
 
 
 def _verbs(brief: MissionBrief, library: MethodLibrary) -> Iterable[str]:
