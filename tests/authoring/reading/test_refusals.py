@@ -87,6 +87,18 @@ def test_list_whose_last_stands_by_itself(text: str) -> None:
     BARE.belongings(phrases(text))
 
 
+def test_second_of_two_may_be_the_name_of_the_first() -> None:
+    with pytest.raises(
+        UnclearError, match="whether 'Mr Rossi' is 'the driver' or somebody else; say 'and' if they are two"
+    ):
+        BARE.apposition(phrases("the driver, Mr Rossi"), ["find", "the", "driver", ",", "mr", "rossi"])
+    BARE.apposition(phrases("the driver and Mr Rossi"), ["find", "the", "driver", "and", "mr", "rossi"])
+    BARE.apposition(
+        phrases("the driver, Mr Rossi, the cook"), ["the", "driver", ",", "mr", "rossi", ",", "the", "cook"]
+    )
+    BARE.apposition(phrases("the box, the crate"), ["the", "box", ",", "the", "crate"])
+
+
 @pytest.mark.parametrize("text", ["unit 3", "the blorp", "crate 4"])
 def test_what_is_evacuated_may_be_a_place_or_somebody(text: str) -> None:
     with pytest.raises(UnclearError, match=f"'{text}' may be a place, or somebody; say 'the people in {text}'"):

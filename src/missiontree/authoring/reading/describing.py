@@ -35,8 +35,8 @@ class Descriptions:
         if not words:
             return True
         small, lows = self._small, [word.low for word in words]
-        if lows[0] == "being" or lows[:2] == ["in", "at"]:  # "the lions being fed", "check the case in at the counter"
-            return False
+        if lows[0] == "being" or lows[:2] in (["in", "at"], ["whose", "name"]):
+            return False  # "the lions being fed", "check the case in at the counter", "the boy, whose name is Tim"
         if len(words) == 1 and lows[0] in small["describing"] | small["relatives"]:
             return False
         states = small["lost"] | small["states"]

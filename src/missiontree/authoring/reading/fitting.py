@@ -41,6 +41,7 @@ class Fitting:
         self.hearing.doers.instruments(phrase for phrases in read.values() for phrase in phrases)
         for phrases in read.values():
             self.hearing.refusals.two_places(phrases)
+            self.hearing.refusals.apposition(phrases, [word.low for word in clause.words])
             self.hearing.refusals.belongings(phrases)
         self._refuse_company(candidate, clause, read)
         if candidate.is_own:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 from missiontree.authoring.language.lexicon import Lexicon
@@ -55,6 +55,15 @@ class Refusals:
         for place, phrase in enumerate(phrases[:-1]):
             if phrase.description and kinds[place] != "place" and "place" in kinds[place + 1 :]:
                 raise UnclearError(f"it is not clear what goes with {phrase.description!r}")
+
+    def apposition(self, phrases: tuple[Phrase, ...], lows: Collection[str]) -> None:
+        """In "find the driver, Mr Rossi" the second may be the name of the first."""
+        people = all(self.phrases.kind_of(phrase) in {"person", "animal"} for phrase in phrases)
+        if len(phrases) == 2 and people and "," in lows and not {"and", "&"} & set(lows):
+            one, other = (phrase.text for phrase in phrases)
+            raise UnclearError(
+                f"it is not clear whether {other!r} is {one!r} or somebody else; say 'and' if they are two"
+            )
 
     def belongings(self, phrases: tuple[Phrase, ...]) -> None:
         """In "the girl with the red shoes and hat" and "the box of nuts and bolts", the last is nothing by itself."""

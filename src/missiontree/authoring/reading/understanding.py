@@ -131,8 +131,9 @@ class Understanding:
         if not isinstance(first, Goal) or first.slots < 2:
             return None
         second = self.understood(self._variant(clause, pair[1]))
-        together = isinstance(second, Goal) and second.slots == first.slots
-        return both_of(clause, (first, second)) if together and isinstance(second, Goal) else None
+        if not isinstance(second, Goal) or second.slots != first.slots or _ends_in(second) != _ends_in(first):
+            return None  # "move the box to the hall and from the hall to the yard" moves, and goes nowhere
+        return both_of(clause, (first, second))
 
     @staticmethod
     def in_order(goal: Goal) -> Goal | Trouble:
@@ -240,3 +241,8 @@ class Understanding:
             left = " ".join(word.text for word in self.hearing.phrases.left_over(behind))
             detail = f"the verb '{clause.verb.phrase}' is understood, but not {left!r}"
         return trouble("words_left_over", clause, detail, f"Understood would be: {'; '.join(examples)}.")
+
+
+def _ends_in(goal: Goal) -> set[str]:
+    """Ids of the routines that a goal ends in."""
+    return {leaf.routine.id for piece in goal.outline.pieces for leaf in piece.leaves if leaf.routine is not None}
