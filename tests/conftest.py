@@ -26,6 +26,18 @@ def _no_model_from_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
     """In CI everything is installed, so a skipped test is a failure."""
-    reporter = session.config.pluginmanager.get_plugin("terminalreporter")
-    if os.environ.get("CI") and reporter is not None and reporter.stats.get("skipped"):
+    if _skipped_in_ci(session.config):
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    """Say why a run without a failed test fails."""
+    if _skipped_in_ci(config):
+        terminalreporter.write_line(
+            "FAILED: a test was skipped, and in CI (the variable CI is set) none may be", red=True
+        )
+
+
+def _skipped_in_ci(config: pytest.Config) -> bool:
+    reporter = config.pluginmanager.get_plugin("terminalreporter")
+    return bool(os.environ.get("CI") and reporter is not None and reporter.stats.get("skipped"))
