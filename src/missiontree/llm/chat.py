@@ -2,13 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
 from missiontree.errors import MissiontreeError
 
 Speaker = Literal["system", "user", "assistant", "tool"]
+Finish = Literal["stop", "length", "filtered", "refused"]
+FaultKind = Literal[
+    "unreachable",
+    "timed_out",
+    "rate_limited",
+    "overloaded",
+    "unauthorised",
+    "no_such_model",
+    "bad_request",
+    "context_overflow",
+    "cut_off",
+    "empty",
+    "not_installed",
+    "recording_ended",
+    "failed",
+]
+Listener = Callable[[str], None]
+"""Told each piece of a model's text as it comes in; what it is told is data, never trusted."""
+
+
+def deaf(piece: str) -> None:
+    """The listener that does not listen."""
+
+
+@dataclass(frozen=True, slots=True)
+class Usage:
+    """
+    What an answer took.
+
+    Parameters
+    ----------
+    input_tokens, output_tokens
+        As the provider counts them; at least 0.
+    cost_usd
+        Money, in US dollars, where the provider says it; None if it is not known.
+    """
+
+    input_tokens: int = 0
+    output_tokens: int = 0
+    cost_usd: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,12 +86,26 @@ class Message:
         Calls asked for, in order; from the assistant only.
     call_id
         Call that a tool's message answers.
+    must_call
+        From the user only: words alone are no answer to this. A model that can be made to call is.
+    finish
+        From the assistant only, how its message ended. ``stop``: of itself, with or without calls. ``length``: cut at the most it may say.
+        ``filtered``: cut by a content filter. ``refused``: the model declines, and ``text`` says what it said.
+    usage
+        From the assistant only, what the message took; None if the provider does not say.
+    native
+        From the assistant only, text that only its provider understands (signatures of thoughts, say) and must be handed back with the
+        message. No part of the dialogue, so no transcript holds it.
     """
 
     speaker: Speaker
     text: str = ""
     calls: tuple[ToolCall, ...] = ()
     call_id: str = ""
+    must_call: bool = False
+    finish: Finish = "stop"
+    usage: Usage | None = None
+    native: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +129,26 @@ class Tool:
 
 
 class ProviderError(MissiontreeError):
-    """A model could not be used: not reached, refused, or out of words. Authoring makes the outcome ``provider_failed`` of it."""
+    """
+    A model could not be used: not reached, refused, or out of words. Authoring makes the outcome ``provider_failed`` of it.
+
+    Parameters
+    ----------
+    message
+        What happened, in words; never holds a key.
+    kind
+        What sort of fault it is; authoring's reason has the rule ``provider_<kind>``.
+    hint
+        What to do about it.
+    retry_after_s
+        Seconds after which the provider says it may be asked again; None if it does not say.
+    """
+
+    def __init__(
+        self, message: str, kind: FaultKind = "failed", hint: str = "", retry_after_s: float | None = None
+    ) -> None:
+        super().__init__(message)
+        self.kind, self.hint, self.retry_after_s = kind, hint, retry_after_s
 
 
 class ChatModel(Protocol):

@@ -34,5 +34,5 @@ class RecordedModel:
     def __call__(self, messages: Sequence[Message], tools: Sequence[Tool]) -> Message:
         """Say the next message of the recording; ``ProviderError`` if there is none left."""
         if not self._left:
-            raise ProviderError("The recording ends here, and the dialogue does not.")
+            raise ProviderError("The recording ends here, and the dialogue does not.", "recording_ended")
         return self._left.pop()
