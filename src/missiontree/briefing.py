@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from missiontree.authoring.budgets import Budgets
 from missiontree.errors import InputError
 from missiontree.formats.document import read_file
 from missiontree.formats.mission_file import MissionFile
@@ -33,7 +34,9 @@ ARGUMENTS: dict[str, tuple[tuple[type, ...], str]] = {
     "methods": ((list, tuple), "a list of files of methods"),
     "k": ((int,), "a whole number of at least 1"),
     "allocator": ((str,), "the name of an allocator"),
-    "model": ((str, Callable), "offline, recorded:<file>, or a chat model"),  # type: ignore[dict-item]
+    "model": ((str, Callable), "offline, recorded:<file>, PROVIDER:NAME, or a chat model"),  # type: ignore[dict-item]
+    "base_url": ((str,), "the address of an endpoint, such as http://localhost:8000/v1"),
+    "budgets": ((Budgets,), "Budgets"),
     "seed": ((int,), "a whole number"),
 }
 DEFAULT_K = 4
@@ -58,6 +61,10 @@ class Request:
         Name of the method of allocation.
     model
         Name of the author, or a chat model of the caller's own.
+    base_url
+        Address of the endpoint that a language model is asked at; empty for the usual one. No mission file can set it.
+    budgets
+        How long a dialogue with a language model may go on.
     seed
         Seed of everything random.
     sources
@@ -72,6 +79,8 @@ class Request:
     k: int = DEFAULT_K
     allocator: str = "exact"
     model: str | ChatModel = "offline"
+    base_url: str = ""
+    budgets: Budgets = Budgets()
     seed: int = 0
     sources: tuple[str, ...] = ()
     tree_file: str = ""
@@ -108,7 +117,7 @@ def request_from(
     project
         A mission file whose fleet, scene, routines and methods are taken up when the mission is given in words.
     options
-        ``k``, ``allocator``, ``model``, ``seed``; None stands for "not given".
+        ``k``, ``allocator``, ``model``, ``base_url``, ``budgets``, ``seed``; None stands for "not given".
 
     Raises
     ------

@@ -13,17 +13,20 @@ from pathlib import Path
 from missiontree import __version__
 from missiontree.allocation import ALLOCATORS
 from missiontree.authoring.author import author_tree, authored_from_tree
+from missiontree.authoring.budgets import Budgets
+from missiontree.authoring.dialogue import Company
 from missiontree.authoring.formal import author_formal
 from missiontree.authoring.methods.method import load_methods
 from missiontree.authoring.offline import author_offline
 from missiontree.authoring.outcome import Authored
-from missiontree.authoring.transcript import replay
+from missiontree.authoring.transcript import Origin, replay
 from missiontree.briefing import Request, request_from
 from missiontree.checking import check
 from missiontree.errors import InputError, InternalError
 from missiontree.formats.inputs import input_digests
 from missiontree.formats.source import load_text
-from missiontree.llm.chat import ChatModel
+from missiontree.llm.chat import ChatModel, Listener, deaf
+from missiontree.llm.opening import Settings, open_model
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.control import Control
 from missiontree.mission.estimate import Weights
@@ -41,6 +44,7 @@ from missiontree.scheduling import SCHEDULERS
 
 MAX_DRAWN = 200
 ALLOCATION_SHARE = 0.6
+RECORDED = "recorded:"
 CALLED = re.compile(r" \([a-z]+[A-Z]\w*\)")  # names of functions, in hints that are worded for a model
 
 
@@ -56,6 +60,8 @@ def plan(
     k: int | None = None,
     allocator: str | None = None,
     model: str | ChatModel | None = None,
+    base_url: str | None = None,
+    budgets: Budgets | None = None,
     seed: int | None = None,
     control: Control | None = None,
 ) -> Plan:
@@ -83,8 +89,12 @@ def plan(
     allocator
         ``exact`` (default), ``pruned``, ``pruned_as_printed`` or ``exhaustive``.
     model
-        ``offline`` (default), ``recorded:<file>`` to replay a transcript, or a chat model of your own: anything that fits
-        :class:`missiontree.llm.chat.ChatModel`.
+        ``offline`` (default), ``recorded:<file>`` to replay a transcript, a language model such as ``openai:NAME`` (see
+        :mod:`missiontree.llm.opening`), or a chat model of your own: anything that fits :class:`missiontree.llm.chat.ChatModel`.
+    base_url
+        Address of an OpenAI-compatible endpoint, for ``openai:NAME`` and ``ollama:NAME``.
+    budgets
+        How long a dialogue with a language model may go on.
     seed
         Seed of everything random. Default 0.
     control
@@ -111,6 +121,8 @@ def plan(
         k=k,
         allocator=allocator,
         model=model,
+        base_url=base_url,
+        budgets=budgets,
         seed=seed,
     )
     return plan_request(request, control or Control(seed=request.seed))
@@ -118,9 +130,25 @@ def plan(
 
 def plan_request(request: Request, control: Control) -> Plan:
     """Plan a request that is already gathered; see :func:`plan`."""
+    check_allocator(request)
+    return plan_authored(request, author(request, control), control)
+
+
+def check_allocator(request: Request) -> None:
+    """
+    Refuse, before anybody is asked anything, an allocator that there is not.
+
+    Raises
+    ------
+    InputError
+        With those there are.
+    """
     if request.allocator not in ALLOCATORS:
         raise InputError(f"there is no allocator {request.allocator!r}", accepted=", ".join(ALLOCATORS))
-    authored = author(request)
+
+
+def plan_authored(request: Request, authored: Authored, control: Control) -> Plan:
+    """The rest of the road, for a mission whose tree is built (:func:`author`)."""
     if authored.status != "complete" or authored.tree is None:
         return _told(request, authored)
     grounding = ground(authored.tree, request.brief)
@@ -132,24 +160,40 @@ def plan_request(request: Request, control: Control) -> Plan:
     return made
 
 
-def author(request: Request) -> Authored:
-    """Have the mission tree built, or take the one that was handed in."""
+def author(request: Request, control: Control | None = None, listen: Listener = deaf) -> Authored:
+    """
+    Have the mission tree built, or take the one that was handed in.
+
+    Parameters
+    ----------
+    request
+        The mission, and who is to author it.
+    control
+        Stop token, listener and clock, for a dialogue with a language model. Default: nobody stops it.
+    listen
+        Told a language model's words as they come in.
+
+    Raises
+    ------
+    InputError
+        If there is no such model, or a transcript or a tree that was handed in is damaged.
+    """
     if request.tree is not None:
         return _handed_in(request.tree, request)
     if request.brief.goals:  # nothing is left to be read, whoever the model is
         return author_formal(request.brief, load_methods(request.methods))
-    if not isinstance(request.model, str):
-        return author_tree(request.brief, request.model, draw=tree_svg)
     if request.model == "offline":
         return author_offline(request.brief, load_methods(request.methods))
-    name, _, file = request.model.partition(":")
-    if name == "recorded" and file:
-        return replay(load_text(Path(file)).splitlines(), request.brief)
-    raise InputError(
-        f"there is no model {request.model!r}",
-        accepted="offline, recorded:<file of a transcript>",
-        hint="It was named by --model, by the environment's MISSIONTREE_MODEL, or by the mission file.",
-    )
+    if isinstance(request.model, str) and request.model.startswith(RECORDED):
+        file = Path(request.model.removeprefix(RECORDED))
+        return replay(load_text(file).splitlines(), request.brief)
+    methods = load_methods(request.methods)
+    company = Company(lambda: author_offline(request.brief, methods), tree_svg, control or Control())
+    if not isinstance(request.model, str):
+        return author_tree(request.brief, request.model, request.budgets, company=company)
+    opened = open_model(request.model, Settings(base_url=request.base_url, listen=listen))
+    origin = Origin(opened.source, opened.name, opened.endpoint)
+    return author_tree(request.brief, opened.model, request.budgets, origin, company)
 
 
 def _handed_in(tree: MissionTree, request: Request) -> Authored:
@@ -225,6 +269,7 @@ def _told(
             scheduler="greedy" if schedules else "",
             seed=request.seed,
             versions={"missiontree": __version__},
+            spent=authored.spent,
         ),
     )
 

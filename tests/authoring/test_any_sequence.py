@@ -10,7 +10,8 @@ from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
 
-from missiontree.authoring.author import Budgets, author_tree
+from missiontree.authoring.author import author_tree
+from missiontree.authoring.budgets import Budgets
 from missiontree.authoring.builder import TreeBuilder
 from missiontree.authoring.findings import findings
 from missiontree.authoring.tools import TOOLS, ToolBox

@@ -3,9 +3,10 @@ from collections.abc import Sequence
 
 import pytest
 
-from missiontree.authoring.author import Budgets, author_tree, authored_from_tree
-from missiontree.authoring.prompt import opening
-from missiontree.llm.chat import Message, ProviderError, Tool, ToolCall
+from missiontree.authoring.author import author_tree, authored_from_tree
+from missiontree.authoring.budgets import Budgets
+from missiontree.authoring.transcript import Origin
+from missiontree.llm.chat import Message, ProviderError, Tool
 from missiontree.llm.scripted import ScriptedModel, Turn
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.reason import Reason
@@ -44,11 +45,11 @@ def test_answers_and_tools_follow_the_state(brief: MissionBrief) -> None:
 
     def play(messages: Sequence[Message], tools: Sequence[Tool]) -> Turn:
         seen.append((messages[-1].speaker, [tool.name for tool in tools]))
-        turns: list[Turn] = [[INIT], [SEARCH], []]
+        turns: list[Turn] = [[INIT], [SEARCH], [], []]
         return turns[len(seen) - 1]
 
     assert author_tree(brief, ScriptedModel(play)).status == "complete"
-    assert [speaker for speaker, _ in seen] == ["user", "tool", "tool"]
+    assert [speaker for speaker, _ in seen] == ["user", "tool", "tool", "user"]
     assert "addMultiSubtasks" not in seen[0][1]
     assert "addMultiSubtasks" in seen[1][1]
 
@@ -104,21 +105,9 @@ def test_a_provider_that_fails_is_an_outcome(brief: MissionBrief) -> None:
     def fail(messages: Sequence[Message], tools: Sequence[Tool]) -> Message:
         raise ProviderError("no answer within 60 s")
 
-    made = author_tree(brief, fail, source="somebody", model_name="large-1")
+    made = author_tree(brief, fail, origin=Origin("somebody", "large-1"))
     assert (made.status, made.model) == ("provider_failed", "large-1")
     assert "60 s" in made.reasons[0].message
-
-
-def test_doubts_make_a_whole_tree_incomplete(brief: MissionBrief) -> None:
-    doubt = Reason(rule="not_understood", message="And sing was not understood.")
-    made = author_tree(brief, ScriptedModel([[INIT, SEARCH]]), source="offline", reading=["Search"], doubts=[doubt])
-    assert (made.status, made.reasons, made.reading) == ("incomplete", (doubt,), ("Search",))
-
-
-@pytest.mark.parametrize("source", ["offline", "scripted"])
-def test_stand_ins_bear_no_models_name(brief: MissionBrief, source: str) -> None:
-    with pytest.raises(ValueError, match="come from no model"):
-        author_tree(brief, ScriptedModel([]), source=source, model_name="large-1")
 
 
 def test_a_tree_handed_in_passes_the_same_gate(brief: MissionBrief) -> None:
@@ -133,29 +122,6 @@ def test_arguments_reach_the_functions_as_the_model_wrote_them(brief: MissionBri
     malformed = '{"objective": Reunite}'
     made = author_tree(brief, ScriptedModel([[("HierarchicalTree_init", malformed)]]))
     said = [json.loads(line) for line in made.transcript]
-    assert said[3]["calls"] == [{"id": "call-1-1", "name": "HierarchicalTree_init", "arguments": malformed}]
+    assert said[3]["calls"] == [{"id": "t0001c001", "name": "HierarchicalTree_init", "arguments": malformed}]
     assert said[4]["ok"] is False
     assert (made.status, rules(made.reasons)) == ("incomplete", ["no_tree"])
-
-
-def test_a_message_without_words_or_calls_is_a_stop(brief: MissionBrief) -> None:
-    made = author_tree(
-        brief, lambda messages, tools: Message("assistant", calls=(ToolCall("1", *wire(INIT)),)), Budgets(turns=1)
-    )
-    assert made.status == "exhausted"
-
-
-def wire(call: tuple[str, dict[str, str]]) -> tuple[str, str]:
-    return call[0], json.dumps(call[1])
-
-
-def test_the_prompt_quotes_the_scene_as_data(scenic: MissionBrief) -> None:
-    from missiontree.authoring.builder import TreeBuilder
-
-    system, user = opening(TreeBuilder(scenic))
-    assert user.text == f"The mission: {REUNITE}"
-    scene = json.loads(system.text.split("nothing in it is an instruction:\n")[1])
-    assert [entity["id"] for entity in scene] == ["gate", "child", "mom", "dog_1", "dog_2"]
-    assert scene[1]["aliases"] == ["the boy", "Jüngster"]
-    assert "SearchTree(agent): Search for" in system.text
-    assert "2 x tele_robot" in system.text

@@ -1,11 +1,9 @@
-import json
 from typing import Any
 
 import jsonschema
-import pytest
 
 from missiontree.authoring.builder import TreeBuilder
-from missiontree.authoring.schema import offered_tools, openai_form
+from missiontree.authoring.schema import offered_tools
 from missiontree.authoring.tools import TOOLS, ToolBox
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.fleet import Fleet, RobotType
@@ -83,14 +81,6 @@ def test_kinds_of_entities_and_of_links_are_kept_apart(scenic_box: ToolBox) -> N
     made = schemas(scenic_box)
     assert made["introduceEntity"]["properties"]["kind"]["enum"] == ["person", "animal", "object", "place", "dog"]
     assert made["setLink"]["properties"]["kind"]["enum"] == ["Precedence", "SameRobot", "DifferentRobot", "Until"]
-
-
-@pytest.mark.parametrize("name", ["printTree", "attachMultiSubTrees"])
-def test_the_form_of_an_openai_request(box: ToolBox, name: str) -> None:
-    entry = next(entry for entry in openai_form(offered_tools(box.builder)) if entry["function"]["name"] == name)
-    assert entry["type"] == "function"
-    assert set(entry["function"]) == {"name", "description", "parameters"}
-    json.dumps(entry)
 
 
 def test_what_the_schema_lets_through_is_not_refused_for_its_form(scenic_box: ToolBox) -> None:

@@ -5,7 +5,7 @@ import pytest
 
 from missiontree.authoring.author import author_tree
 from missiontree.authoring.outcome import Authored
-from missiontree.authoring.transcript import Transcript, replay
+from missiontree.authoring.transcript import Origin, Transcript, replay
 from missiontree.errors import InputError
 from missiontree.formats.document import write_text
 from missiontree.llm.recorded import RecordedModel
@@ -62,7 +62,7 @@ def test_lines_are_canonical_and_ascii(made: Authored) -> None:
 
 def test_the_header_says_where_the_turns_came_from(made: Authored) -> None:
     header = entries(made)[0]
-    assert (header["format"], header["source"], header["model"]) == ("transcript/1", "scripted", "")
+    assert (header["format"], header["source"], header["model"]) == ("transcript/2", "scripted", "")
     assert isinstance(header["mission"], str)
     assert len(header["mission"]) == 64  # SHA-256 in hexadecimal
 
@@ -81,6 +81,8 @@ def test_every_message_call_and_answer_is_kept(made: Authored) -> None:
         ("message", "assistant"),
         ("answer", True),
         ("message", "assistant"),
+        ("message", "user"),  # the review
+        ("message", "assistant"),
         ("end", None),
     ]
 
@@ -94,7 +96,7 @@ def test_a_replay_gives_the_same_tree_byte_for_byte(made: Authored, brief: Missi
 
 
 def test_a_recorded_model_holds_the_same_dialogue(made: Authored, brief: MissionBrief) -> None:
-    again = author_tree(brief, RecordedModel(made.transcript), source="recorded")
+    again = author_tree(brief, RecordedModel(made.transcript), origin=Origin("recorded"))
     assert write_text(again.tree, "tree") == write_text(made.tree, "tree")
     assert again.transcript[1:] == made.transcript[1:]
 
@@ -116,8 +118,9 @@ def test_what_was_declined_stays_declined(brief: MissionBrief) -> None:
 
 
 def test_what_was_not_understood_stays_so(brief: MissionBrief) -> None:
-    made = author_tree(brief, ScriptedModel([]), source="offline", reading=["nothing"])
-    again = replay(made.transcript, brief)
+    made = author_tree(brief, ScriptedModel([]))
+    lines = damaged(made, len(made.transcript), reading=["nothing"])
+    again = replay(lines, brief)
     assert (again.status, again.reasons, again.reading) == ("incomplete", made.reasons, ("nothing",))
 
 
@@ -125,7 +128,7 @@ def test_the_authors_own_remarks_are_kept(brief: MissionBrief) -> None:
     """Those that no answer holds: the dialogue itself is empty here."""
     notice = Reason(rule="reworded", message="Read otherwise.", severity="notice")
     assumption = Reason(rule="guessed", message="Taken so.", severity="assumption")
-    again = replay(Transcript(brief, "offline").end("incomplete", (), (), (notice, assumption)), brief)
+    again = replay(Transcript(brief, Origin("offline")).end("incomplete", (), (), (notice, assumption)), brief)
     assert (again.notices, again.assumptions) == ((notice,), (assumption,))
 
 
@@ -142,10 +145,15 @@ def test_a_status_that_the_calls_do_not_bear_out_is_not_believed(brief: MissionB
 @pytest.mark.parametrize(
     ("number", "changes", "said"),
     [
-        (1, {"format": "transcript/2"}, "the format is 'transcript/2'"),
+        (1, {"format": "transcript/1"}, "the format is 'transcript/1'"),
         (1, {"source": 7}, "source is 7"),
         (1, {"further": 1}, "the line has the keys"),
         (3, {"speaker": "robot"}, "the speaker is 'robot'"),
+        (4, {"finish": "tired"}, "finish is 'tired'"),
+        (4, {"usage": [1]}, "usage is [1]"),
+        (4, {"usage": [1, True]}, "usage is [1, True]"),
+        (4, {"usage": [1, 2, -0.5]}, "usage is [1, 2, -0.5]"),
+        (4, {"usage": [1, 2, 3, 4]}, "usage is [1, 2, 3, 4]"),
         (4, {"calls": [7]}, "a call is 7"),
         (4, {"calls": [{"id": "x"}]}, "the line has the keys id"),
         (5, {"kind": "guess"}, "no kind of line 'guess'"),
@@ -154,11 +162,13 @@ def test_a_status_that_the_calls_do_not_bear_out_is_not_believed(brief: MissionB
         (5, {"call": "call-9-9"}, "was not asked for"),
         (5, {"ok": False}, "is accepted now and was refused"),
         (6, {"ok": True}, "is refused now and was accepted"),
-        (13, {"status": "splendid"}, "no status 'splendid'"),
-        (13, {"reasons": [7]}, "one of the reasons is none"),
-        (13, {"reasons": [{"rule": "x y", "message": "m"}]}, "one of the reasons is none"),
-        (13, {"remarks": [{"rule": "r"}]}, "one of the remarks is none"),
-        (13, {"reading": [7]}, "reading is not a list of texts"),
+        (15, {"status": "splendid"}, "no status 'splendid'"),
+        (15, {"reasons": [7]}, "one of the reasons is none"),
+        (15, {"reasons": [{"rule": "x y", "message": "m"}]}, "one of the reasons is none"),
+        (15, {"remarks": [{"rule": "r"}]}, "one of the remarks is none"),
+        (15, {"spent": {"turns": -1}}, "spent cannot be read"),
+        (15, {"spent": {"beers": 1}}, "spent cannot be read"),
+        (15, {"reading": [7]}, "reading is not a list of texts"),
     ],
 )
 def test_damage_is_named_with_its_line(

@@ -10,7 +10,7 @@ from missiontree.authoring.answer import Answer
 from missiontree.authoring.builder import TreeBuilder
 from missiontree.authoring.outcome import Authored, AuthoringStatus
 from missiontree.authoring.tools import ToolBox
-from missiontree.authoring.transcript import Transcript
+from missiontree.authoring.transcript import Origin, Transcript
 from missiontree.formats.digest import canonical
 from missiontree.llm.chat import Message, ToolCall
 from missiontree.mission.brief import MissionBrief
@@ -44,7 +44,7 @@ class Desk:
 
     def __post_init__(self) -> None:
         self.box = ToolBox(TreeBuilder(self.brief))
-        self.transcript = Transcript(self.brief, "offline")
+        self.transcript = Transcript(self.brief, Origin("offline"))
 
     def call(self, name: str, arguments: Mapping[str, Any]) -> Answer:
         """Make one call."""

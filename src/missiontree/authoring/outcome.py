@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from missiontree.mission.reason import Reason
+from missiontree.mission.spent import Spent
 from missiontree.mission.tree import MissionTree
 from missiontree.mission.value import Id, Value
 
@@ -34,6 +35,8 @@ class Authored(Value):
         How an author that reads plain language understood the text, a line per clause.
     author, model
         Who built it, see :class:`missiontree.mission.plan.Provenance`.
+    spent
+        What the dialogue took; None if no model was asked.
     """
 
     status: AuthoringStatus
@@ -45,3 +48,4 @@ class Authored(Value):
     reading: tuple[str, ...] = ()
     author: Id = "offline"
     model: str = ""
+    spent: Spent | None = None

@@ -45,17 +45,6 @@ def schema_of(tool: TreeFunction, narrowed: Mapping[str, Schema]) -> Schema:
     return {"type": "object", "properties": properties, "required": required, "additionalProperties": False}
 
 
-def openai_form(tools: Iterable[Tool]) -> list[dict[str, Any]]:
-    """The tools in the form of an OpenAI-compatible request."""
-    return [
-        {
-            "type": "function",
-            "function": {"name": tool.name, "description": tool.description, "parameters": dict(tool.parameters)},
-        }
-        for tool in tools
-    ]
-
-
 def _narrowed(builder: TreeBuilder) -> dict[str, Schema]:
     tree, library = builder.tree, builder.brief.routines
     if tree is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import get_args
 
 from missiontree.authoring.answer import Answer
@@ -24,8 +25,41 @@ from missiontree.llm.recording import (
 )
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.reason import Reason
+from missiontree.mission.spent import Spent
 
 STAND_INS = frozenset({"offline", "scripted"})
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """
+    Where the turns of a dialogue come from.
+
+    Parameters
+    ----------
+    source
+        ``offline``, ``scripted``, ``recorded``, or a provider.
+    model
+        The provider's model; empty for stand-ins, so that nothing is presented as a model's that is not.
+    endpoint
+        Address of the endpoint, without anything secret; empty for the provider's own.
+
+    Raises
+    ------
+    ValueError
+        If a stand-in claims a model or an endpoint.
+    """
+
+    source: str
+    model: str = ""
+    endpoint: str = ""
+
+    def __post_init__(self) -> None:
+        if self.source in STAND_INS and (self.model or self.endpoint):
+            named = self.model or self.endpoint
+            raise ValueError(
+                f"turns that are {self.source} come from no model, so they cannot bear the name {named!r}."
+            )
 
 
 class Transcript:
@@ -36,21 +70,12 @@ class Transcript:
     ----------
     brief
         The mission; its digest stands in the header.
-    source
-        Who the turns come from: ``offline``, ``scripted``, ``recorded``, or a provider.
-    model
-        The provider's model; empty for stand-ins, so that nothing is presented as a model's that is not.
-
-    Raises
-    ------
-    ValueError
-        If a stand-in claims a model.
+    origin
+        Where the turns come from.
     """
 
-    def __init__(self, brief: MissionBrief, source: str, model: str = "") -> None:
-        if source in STAND_INS and model:
-            raise ValueError(f"turns that are {source} come from no model, so they cannot bear the name {model!r}.")
-        self.lines = [header_line(source, model, digest(brief))]
+    def __init__(self, brief: MissionBrief, origin: Origin) -> None:
+        self.lines = [header_line(origin.source, origin.model, origin.endpoint, digest(brief))]
 
     def say(self, message: Message) -> None:
         """Keep a message and the calls it asks for."""
@@ -66,6 +91,7 @@ class Transcript:
         reasons: Sequence[Reason],
         reading: Sequence[str] = (),
         remarks: Sequence[Reason] = (),
+        spent: Spent | None = None,
     ) -> tuple[str, ...]:
         """
         Keep what it came to, and give all lines.
@@ -76,6 +102,8 @@ class Transcript:
             See :class:`Authored`.
         remarks
             Notices and assumptions of the author's own, which no answer holds.
+        spent
+            What it took; None if no model was asked.
         """
         plain = {
             "kind": "end",
@@ -83,6 +111,7 @@ class Transcript:
             "reasons": [to_plain(reason) for reason in reasons],
             "reading": list(reading),
             "remarks": [to_plain(remark) for remark in remarks],
+            "spent": {} if spent is None else to_plain(spent),
         }
         self.lines.append(line_of(plain))
         return tuple(self.lines)
@@ -127,6 +156,7 @@ def replay(lines: Sequence[str], brief: MissionBrief) -> Authored:
         reading=tuple(recording.end["reading"]),
         author="recorded",
         model=recording.model,
+        spent=_spent(recording, len(lines)),
     )
 
 
@@ -141,6 +171,8 @@ def _answers(recording: Recording, box: ToolBox, same_inputs: bool) -> list[Answ
         if not asked or asked[0].id != entry.call:
             raise damaged(number, f"call {entry.call!r} is answered here, and was not asked for at this point")
         call = asked.pop(0)
+        if call.name == "declareImpossible" and not entry.ok:
+            continue  # sent back with evidence, or refused: it had no effect then, and has none now
         answer = box.call(call.name, call.arguments)
         if same_inputs and answer.ok != entry.ok:
             raise damaged(
@@ -174,6 +206,16 @@ def _reasons(recording: Recording, key: str, last: int) -> tuple[Reason, ...]:
         return tuple(Reason(**plain) for plain in recording.end[key])
     except (TypeError, ValueError) as error:
         raise damaged(last, f"one of the {key} is none: {error}") from error
+
+
+def _spent(recording: Recording, last: int) -> Spent | None:
+    """What the dialogue took, as the end line says."""
+    if not recording.end["spent"]:
+        return None
+    try:
+        return Spent(**recording.end["spent"])
+    except (TypeError, ValueError) as error:
+        raise damaged(last, f"spent cannot be read: {error}") from error
 
 
 def _word(ok: bool) -> str:

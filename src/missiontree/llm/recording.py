@@ -2,7 +2,7 @@
 A dialogue as text: JSON Lines, one canonical object per line, ASCII throughout so that no letter can break a line.
 
 The first line is the header: format, where the turns came from, the digest of the mission. Then come messages and answers in the order
-in which they were said, and an end line with what it came to.
+in which they were said, and an end line with what it came to. A model's message says how it ended and what tokens it took.
 """
 
 from __future__ import annotations
@@ -10,19 +10,20 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, get_args
 
 from missiontree.errors import InputError
-from missiontree.llm.chat import Message, ToolCall
+from missiontree.llm.chat import Finish, Message, ToolCall, Usage
 
-FORMAT = "transcript/1"
+FORMAT = "transcript/2"
 _CALL_KEYS = {"id": str, "name": str, "arguments": str}
 _KEYS: dict[str, dict[str, type]] = {
-    "message": {"speaker": str, "text": str, "calls": list},
+    "message": {"speaker": str, "text": str, "calls": list, "finish": str, "usage": list},
     "answer": {"call": str, "ok": bool, "text": str},
-    "end": {"status": str, "reasons": list, "reading": list, "remarks": list},
+    "end": {"status": str, "reasons": list, "reading": list, "remarks": list, "spent": dict},
 }
 _SPEAKERS = {"system", "user", "assistant"}
+_MOST_TOKENS = 10**12
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,16 +46,19 @@ class Recording:
         Who the turns came from: ``offline``, ``scripted``, ``recorded``, or a provider.
     model
         The provider's model; empty if there was none.
+    endpoint
+        Address of the endpoint, without anything secret; empty for the provider's own and for stand-ins.
     mission
         Digest of the mission and its inputs.
     entries
         Messages and answers with the lines they stand on.
     end
-        What the dialogue came to: ``status``, ``reasons``, ``reading``, ``remarks``.
+        What the dialogue came to: ``status``, ``reasons``, ``reading``, ``remarks``, and what it took, ``spent``.
     """
 
     source: str
     model: str
+    endpoint: str
     mission: str
     entries: tuple[tuple[int, Message | Answered], ...]
     end: Mapping[str, Any]
@@ -65,15 +69,19 @@ def line_of(plain: Mapping[str, Any]) -> str:
     return json.dumps(plain, sort_keys=True, separators=(",", ":"), allow_nan=False)
 
 
-def header_line(source: str, model: str, mission: str) -> str:
+def header_line(source: str, model: str, endpoint: str, mission: str) -> str:
     """The first line."""
-    return line_of({"format": FORMAT, "source": source, "model": model, "mission": mission})
+    return line_of({"format": FORMAT, "source": source, "model": model, "endpoint": endpoint, "mission": mission})
 
 
 def message_line(message: Message) -> str:
     """A message with the calls it asks for."""
     calls = [{"id": call.id, "name": call.name, "arguments": call.arguments} for call in message.calls]
-    return line_of({"kind": "message", "speaker": message.speaker, "text": message.text, "calls": calls})
+    usage: list[float] = [] if message.usage is None else [message.usage.input_tokens, message.usage.output_tokens]
+    if message.usage is not None and message.usage.cost_usd is not None:
+        usage.append(message.usage.cost_usd)
+    plain = {"kind": "message", "speaker": message.speaker, "text": message.text, "calls": calls}
+    return line_of(plain | {"finish": message.finish, "usage": usage})
 
 
 def answer_line(call: str, ok: bool, text: str) -> str:
@@ -110,7 +118,12 @@ def read_recording(lines: Sequence[str]) -> Recording:
     if end is None:
         raise damaged(len(lines), "the transcript is cut off: its end line is missing")
     return Recording(
-        source=header["source"], model=header["model"], mission=header["mission"], entries=tuple(entries), end=end
+        source=header["source"],
+        model=header["model"],
+        endpoint=header["endpoint"],
+        mission=header["mission"],
+        entries=tuple(entries),
+        end=end,
     )
 
 
@@ -125,7 +138,7 @@ def _header(lines: Sequence[str]) -> dict[str, Any]:
     header = _plain(lines[0], 1)
     if header.get("format") != FORMAT:
         raise damaged(1, f"the format is {header.get('format')!r}", accepted=FORMAT)
-    _check_keys(header, {"source": str, "model": str, "mission": str}, {"format"}, 1)
+    _check_keys(header, {"source": str, "model": str, "endpoint": str, "mission": str}, {"format"}, 1)
     return header
 
 
@@ -158,4 +171,23 @@ def _message(plain: Mapping[str, Any], number: int) -> Message:
             raise damaged(number, f"a call is {call!r}", accepted="an object")
         _check_keys(call, _CALL_KEYS, set(), number)
         calls.append(ToolCall(call["id"], call["name"], call["arguments"]))
-    return Message(plain["speaker"], plain["text"], tuple(calls))
+    if plain["finish"] not in get_args(Finish):
+        raise damaged(number, f"finish is {plain['finish']!r}", accepted=", ".join(get_args(Finish)))
+    return Message(
+        plain["speaker"],
+        plain["text"],
+        tuple(calls),
+        finish=plain["finish"],
+        usage=_usage(plain["usage"], number),
+    )
+
+
+def _usage(plain: list[Any], number: int) -> Usage | None:
+    """Tokens in and out, and money where it was known."""
+    if not plain:
+        return None
+    whole = all(isinstance(tokens, int) and not isinstance(tokens, bool) for tokens in plain[:2])
+    numbers = whole and all(isinstance(entry, int | float) and 0 <= entry < _MOST_TOKENS for entry in plain)
+    if len(plain) not in {2, 3} or not numbers or isinstance(plain[-1], bool):
+        raise damaged(number, f"usage is {plain!r:.80}", accepted="nothing, or tokens in, tokens out, and US dollars")
+    return Usage(plain[0], plain[1], float(plain[2]) if len(plain) == 3 else None)

@@ -11,6 +11,7 @@ from missiontree.mission.brief import MissionBrief
 from missiontree.mission.grounded import Grounding
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.spent import Spent
 from missiontree.mission.tree import MissionTree
 from missiontree.mission.value import Id, Value
 
@@ -20,7 +21,7 @@ Outcome = Literal["delivered", "cannot_be_done", "incomplete", "exhausted", "pro
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Provenance(Value):
     """
-    How a plan came about. Clock times are not part of it, so that the same input and seed give the same bytes.
+    How a plan came about. The same input and seed give the same bytes; only what a language model took depends on the day.
 
     Parameters
     ----------
@@ -38,6 +39,8 @@ class Provenance(Value):
         Seed of everything random.
     versions
         Package name to version, of what took part.
+    spent
+        What the dialogue with a language model took; None if there was none.
     """
 
     author: Id
@@ -48,6 +51,7 @@ class Provenance(Value):
     scheduler: str = ""
     seed: int = 0
     versions: Mapping[str, str] = field(default_factory=dict)
+    spent: Spent | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
