@@ -18,7 +18,7 @@ from tests.cli.running import Shell
 
 
 def test_a_plan_is_shown_kept_checked_and_shown_again(shell: Shell, tmp_path: Path) -> None:
-    made = shell("plan", "Reunite mom with her lost child", "--out", "plan.json", "--transcript", "dialogue.jsonl")
+    made = shell("plan", "Reunite mom with her lost child", "--out", "plan.json", "--record", "dialogue.jsonl")
     assert made.code == 0
     assert "5.6" in made.out
     assert "written to plan.json" in made.err

@@ -110,7 +110,7 @@ def test_files_that_do_not_fit_together_are_both_named(shell: Shell, site: Path)
     assert "site/fleet.yaml, site/scene.yaml: these do not fit together" in ran.err
 
 
-@pytest.mark.parametrize("option", ["--out", "--transcript"])
+@pytest.mark.parametrize("option", ["--out", "--record"])
 def test_a_file_that_cannot_be_written_is_refused_before_planning(shell: Shell, option: str) -> None:
     ran = shell("plan", "Find the cat", option, ".")
     assert (ran.code, ran.out) == (2, "")

@@ -68,6 +68,19 @@ def test_messages_of_one_speaker_become_one_and_empty_ones_are_left_out() -> Non
     assert len(sent[2].calls) == 1
 
 
+def test_an_answer_without_words_stands_between_a_tool_and_the_user() -> None:
+    """Endpoints of one family take no message of the user directly after a tool's."""
+    said = [
+        Message("assistant", calls=(ToolCall("1", "a", "{}"),)),
+        Message("tool", "x", call_id="1"),
+        Message("assistant", ""),
+        Message("user", "Review it."),
+    ]
+    sent = sendable(said)
+    assert [message.speaker for message in sent] == ["assistant", "tool", "assistant", "user"]
+    assert sent[2].text == "(no words)"
+
+
 def test_answers_to_calls_are_never_merged() -> None:
     calls = (ToolCall("1", "a", "{}"), ToolCall("2", "a", "{}"))
     said = [Message("assistant", calls=calls), Message("tool", "x", call_id="1"), Message("tool", "y", call_id="2")]

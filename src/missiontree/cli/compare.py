@@ -9,9 +9,10 @@ import typer
 
 from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES, Exit
-from missiontree.cli.gathering import gather
+from missiontree.cli.gathering import author_named, gather
 from missiontree.cli.interrupt import controlled
 from missiontree.cli.screen import show
+from missiontree.cli.watching import authored as watched
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -39,6 +40,8 @@ def command(
     weights: options.WeightsText = None,
     k: options.Alternatives = None,
     model: options.Model = None,
+    base_url: options.BaseUrl = None,
+    replay: options.Replay = None,
     kinds: options.Kinds = None,
     time_limit: options.TimeLimit = None,
     seed: options.Seed = None,
@@ -52,7 +55,6 @@ def command(
 
     from missiontree.allocation import ALLOCATORS
     from missiontree.formats.document import to_plain
-    from missiontree.planner import author
     from missiontree.reporting.text import reason_line, said_once
     from missiontree.routines.ground import ground
 
@@ -66,11 +68,12 @@ def command(
         weights=weights,
         k=k,
         allocator=None,
-        model=model,
+        model=author_named(model, replay),
+        base_url=base_url,
         kinds=kinds,
         seed=seed,
     )
-    authored = author(request)
+    authored = watched(request, as_json, colour)
     if authored.status != "complete" or authored.tree is None:
         outcome = authored.status if authored.status != "complete" else "incomplete"
         if as_json:

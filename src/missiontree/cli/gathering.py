@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from missiontree.errors import InputError
 
 if TYPE_CHECKING:
+    from missiontree.authoring.budgets import Budgets
     from missiontree.briefing import Request
     from missiontree.mission.estimate import Weights
 
@@ -27,6 +28,8 @@ def gather(
     model: str | None,
     kinds: bool | None,
     seed: int | None,
+    base_url: str | None = None,
+    budgets: Budgets | None = None,
 ) -> Request:
     """
     Gather a request from the command line, the mission file and the folder one stands in.
@@ -52,8 +55,47 @@ def gather(
         k=k,
         allocator=allocator,
         model=model,
+        base_url=base_url,
+        budgets=budgets,
         seed=seed,
     )
+
+
+def author_named(model: str | None, replay: Path | None) -> str | None:
+    """
+    Who is to author the mission, of ``--model`` and ``--replay``.
+
+    The environment may name a model as well; a replay that is asked for goes before it, but not before another author that is.
+
+    Raises
+    ------
+    InputError
+        If both are given.
+    """
+    if replay is None:
+        return model
+    if model is not None and model != os.environ.get("MISSIONTREE_MODEL"):
+        raise InputError("both --model and --replay are given", accepted="one of them")
+    return f"recorded:{replay}"
+
+
+def budgets_from(turns: int | None, tokens: int | None, seconds: float | None) -> Budgets | None:
+    """
+    Budgets of a dialogue, as far as they are given.
+
+    Raises
+    ------
+    InputError
+        If one of them is not above 0.
+    """
+    from missiontree.authoring.budgets import Budgets
+
+    given = {"turns": turns, "tokens": tokens, "seconds": seconds}
+    for name, value in given.items():
+        if value is not None and not value > 0:
+            raise InputError(f"--max-{name} {value:g}", accepted="a number above 0")
+    named = {name: value for name, value in given.items() if value is not None}
+    return Budgets(**named) if named else None  # type: ignore[arg-type]  # each value is of its field's type
 
 
 def _mission(mission: str | None, sample: str | None) -> tuple[str | Path, Path | None]:

@@ -63,8 +63,37 @@ Model = Annotated[
         "--model",
         metavar="MODEL",
         envvar="MISSIONTREE_MODEL",
-        help="Who reads the mission: offline (default) or recorded:FILE.",
+        help=(
+            "Who reads the mission: offline (default), recorded:FILE, openai:NAME, anthropic:NAME, gemini:NAME, ollama:NAME or "
+            "local:FILE.gguf. `missiontree models` tells what can be used here."
+        ),
     ),
+]
+BaseUrl = Annotated[
+    str | None,
+    typer.Option(
+        "--base-url",
+        metavar="URL",
+        envvar="MISSIONTREE_BASE_URL",
+        help="Address of an OpenAI-compatible endpoint, for openai:NAME and ollama:NAME.",
+    ),
+]
+Replay = Annotated[
+    Path | None,
+    typer.Option(
+        "--replay", metavar="FILE", help="Make the calls of a recorded dialogue again, without a model (--record)."
+    ),
+]
+MaxTurns = Annotated[
+    int | None, typer.Option("--max-turns", metavar="N", help="Messages that a language model may send. Default 60.")
+]
+MaxTokens = Annotated[
+    int | None,
+    typer.Option("--max-tokens", metavar="N", help="Tokens that a language model may take in all. Default 500000."),
+]
+MaxSeconds = Annotated[
+    float | None,
+    typer.Option("--max-seconds", metavar="S", help="Seconds that a language model may take in all. Default 1200."),
 ]
 Kinds = Annotated[
     bool | None, typer.Option("--kinds/--no-kinds", help="Enforce kinds of arguments (a message needs a reader).")

@@ -9,9 +9,10 @@ import typer
 
 from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES
-from missiontree.cli.gathering import gather
+from missiontree.cli.gathering import author_named, budgets_from, gather
 from missiontree.cli.interrupt import controlled
 from missiontree.cli.screen import remark, show
+from missiontree.cli.watching import authored, hint_at_keys
 from missiontree.errors import InputError
 
 if TYPE_CHECKING:
@@ -32,15 +33,20 @@ def command(
         typer.Option("--allocator", metavar="NAME", help="exact (default), pruned, pruned_as_printed or exhaustive."),
     ] = None,
     model: options.Model = None,
+    base_url: options.BaseUrl = None,
+    replay: options.Replay = None,
+    record: Annotated[
+        Path | None,
+        typer.Option(
+            "--record", metavar="FILE", help="Write the dialogue that built the tree to this file, as JSON lines."
+        ),
+    ] = None,
+    max_turns: options.MaxTurns = None,
+    max_tokens: options.MaxTokens = None,
+    max_seconds: options.MaxSeconds = None,
     kinds: options.Kinds = None,
     out: Annotated[
         Path | None, typer.Option("--out", metavar="FILE", help="Write the plan to this file, as JSON.")
-    ] = None,
-    transcript: Annotated[
-        Path | None,
-        typer.Option(
-            "--transcript", metavar="FILE", help="Write the dialogue that built the tree to this file, as JSON lines."
-        ),
     ] = None,
     explain_reading: Annotated[
         bool,
@@ -66,29 +72,34 @@ def command(
         weights=weights,
         k=k,
         allocator=allocator,
-        model=model,
+        model=author_named(model, replay),
+        base_url=base_url,
+        budgets=budgets_from(max_turns, max_tokens, max_seconds),
         kinds=kinds,
         seed=seed,
     )
-    for file in (out, transcript):
+    for file in (out, record):
         refuse_unwritable(file)
-    from missiontree.planner import plan_request
+    from missiontree.planner import check_allocator, plan_authored
 
+    check_allocator(request)
     if not (quiet or as_json):
         for source in request.sources:
             remark(f"using {source}", colour)
+        hint_at_keys(request, colour)
+    made = authored(request, quiet or as_json, colour)
     with controlled(time_limit, request.seed) as control:
-        plan = plan_request(request, control)
+        plan = plan_authored(request, made, control)
         if plan.outcome == "exhausted" and control.stop():
             raise KeyboardInterrupt
-    deliver(plan, out, transcript, as_json, quiet, colour, explain_reading)
+    deliver(plan, out, record, as_json, quiet, colour, explain_reading)
     return OUTCOMES[plan.outcome]
 
 
 def deliver(
     plan: Plan,
     out: Path | None,
-    transcript: Path | None,
+    record: Path | None,
     as_json: bool,
     quiet: bool,
     colour: bool | None,
@@ -99,8 +110,8 @@ def deliver(
 
     if out is not None:
         save(out, write_text(plan, "plan"))
-    if transcript is not None:
-        save(transcript, "".join(f"{line}\n" for line in plan.provenance.transcript))
+    if record is not None:
+        save(record, "".join(f"{line}\n" for line in plan.provenance.transcript))
     if as_json:
         typer.echo(write_text(plan, "plan"), nl=False)
         return

@@ -3,7 +3,8 @@ A dialogue in the form that providers take back.
 
 What a model said is kept as it said it, in the transcript; some of it no endpoint accepts as history, or takes the dialogue down
 with a fault of its own: arguments that are no JSON object, names that are no names, lone surrogates, two messages of the user in a
-row (chat templates of many open models insist on turns), and an assistant's message of nothing.
+row (chat templates of many open models insist on turns), and an assistant's
+message of nothing.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from missiontree.llm.chat import Message, ToolCall
 
 NAME = re.compile(r"[A-Za-z0-9_-]{1,64}")
 NOT_A_NAME = "not_a_function"
+NO_WORDS = "(no words)"
 
 
 def sendable(messages: Iterable[Message]) -> tuple[Message, ...]:
@@ -24,7 +26,9 @@ def sendable(messages: Iterable[Message]) -> tuple[Message, ...]:
     sent: list[Message] = []
     for message in messages:
         if message.speaker == "assistant" and not message.calls and not message.text.strip():
-            continue
+            if not (sent and sent[-1].speaker == "tool"):
+                continue
+            message = replace(message, text=NO_WORDS)  # some endpoints take no user after a tool
         clean = replace(message, text=readable(message.text), calls=tuple(_call(call) for call in message.calls))
         if sent and sent[-1].speaker == clean.speaker and clean.speaker in {"user", "assistant"} and not sent[-1].calls:
             before = sent.pop()

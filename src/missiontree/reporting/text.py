@@ -18,6 +18,7 @@ from missiontree.mission.reason import Reason, Severity
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.references import refuse_dangling
+from missiontree.reporting.spent_view import author_in_words
 from missiontree.reporting.timeline import timeline
 from missiontree.reporting.tree_view import tree_text
 
@@ -72,6 +73,8 @@ def plan_view(plan: Plan) -> Group:
 def _sections(plan: Plan) -> Iterator[RenderableType]:
     headline, style = HEADLINES[plan.outcome]
     yield Text.assemble((headline, style), ": ", words(plan.brief.text.strip() or "(no words)", "bold"))
+    if (spent := plan.provenance.spent) is not None:
+        yield words(author_in_words(plan.provenance.author, plan.provenance.model, spent), "dim")
     yield from _titled("How the words were read", [words(line) for line in plan.provenance.reading])
     yield from _titled("Why", _refusals(said_once(plan.reasons), plan))
     if plan.tree is not None and len(plan.tree.nodes) > 1:
