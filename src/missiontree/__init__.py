@@ -15,8 +15,11 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from missiontree.authoring.budgets import Budgets
     from missiontree.checking import check
     from missiontree.errors import InputError, MissiontreeError
+    from missiontree.llm.recorded import RecordedModel
+    from missiontree.llm.scripted import ScriptedModel
     from missiontree.mission.control import Control
     from missiontree.mission.entity import Entity
     from missiontree.mission.estimate import Weights
@@ -31,6 +34,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOMES = {
+    "Budgets": "authoring.budgets",
     "Capability": "mission.fleet",
     "Control": "mission.control",
     "Entity": "mission.entity",
@@ -39,9 +43,11 @@ _HOMES = {
     "MissiontreeError": "errors",
     "Plan": "mission.plan",
     "Position": "mission.position",
+    "RecordedModel": "llm.recorded",
     "Robot": "mission.fleet",
     "RobotType": "mission.fleet",
     "Scene": "mission.scene",
+    "ScriptedModel": "llm.scripted",
     "Weights": "mission.estimate",
     "check": "checking",
     "plan": "planner",
@@ -50,6 +56,7 @@ _HOMES = {
 }
 
 __all__ = [
+    "Budgets",
     "Capability",
     "Control",
     "Entity",
@@ -58,9 +65,11 @@ __all__ = [
     "MissiontreeError",
     "Plan",
     "Position",
+    "RecordedModel",
     "Robot",
     "RobotType",
     "Scene",
+    "ScriptedModel",
     "Weights",
     "check",
     "plan",

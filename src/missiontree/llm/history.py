@@ -3,8 +3,7 @@ A dialogue in the form that providers take back.
 
 What a model said is kept as it said it, in the transcript; some of it no endpoint accepts as history, or takes the dialogue down
 with a fault of its own: arguments that are no JSON object, names that are no names, lone surrogates, two messages of the user in a
-row (chat templates of many open models insist on turns), and an assistant's
-message of nothing.
+row (chat templates of many open models insist on turns), an assistant's message of nothing, and the user right after a tool.
 """
 
 from __future__ import annotations
@@ -25,11 +24,11 @@ def sendable(messages: Iterable[Message]) -> tuple[Message, ...]:
     """The messages with whatever an endpoint would reject put into a form that it takes; a model's own mistakes stay answered."""
     sent: list[Message] = []
     for message in messages:
-        if message.speaker == "assistant" and not message.calls and not message.text.strip():
-            if not (sent and sent[-1].speaker == "tool"):
-                continue
-            message = replace(message, text=NO_WORDS)  # some endpoints take no user after a tool
-        clean = replace(message, text=readable(message.text), calls=tuple(_call(call) for call in message.calls))
+        empty = message.speaker == "assistant" and not message.calls and not message.text.strip()
+        if empty and not (sent and sent[-1].speaker == "tool"):
+            continue
+        text = NO_WORDS if empty else readable(message.text)  # some endpoints take no user after a tool
+        clean = replace(message, text=text, calls=tuple(_call(call) for call in message.calls))
         if sent and sent[-1].speaker == clean.speaker and clean.speaker in {"user", "assistant"} and not sent[-1].calls:
             before = sent.pop()
             clean = replace(clean, text="\n\n".join(filter(None, (before.text, clean.text))))
