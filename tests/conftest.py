@@ -7,6 +7,8 @@ import os
 import pytest
 from hypothesis import HealthCheck, settings
 
+NAMING = {"MISSIONTREE_MODEL", "MISSIONTREE_BASE_URL", "OPENAI_BASE_URL", "ANTHROPIC_BASE_URL"}
+
 settings.register_profile(
     "missiontree",
     deadline=None,
@@ -20,8 +22,9 @@ settings.load_profile("missiontree")
 @pytest.fixture(autouse=True)
 def _no_model_from_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
     """No test can reach a provider by accident."""
-    for name in [name for name in os.environ if name == "MISSIONTREE_MODEL" or name.endswith("_API_KEY")]:
+    for name in [name for name in os.environ if name in NAMING or name.endswith("_API_KEY")]:
         monkeypatch.delenv(name)
+    monkeypatch.setenv("XDG_CACHE_HOME", os.path.join(os.path.abspath(os.devnull), "none"))  # nothing is remembered
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:

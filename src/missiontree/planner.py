@@ -26,6 +26,7 @@ from missiontree.errors import InputError, InternalError
 from missiontree.formats.inputs import input_digests
 from missiontree.formats.source import load_text
 from missiontree.llm.chat import ChatModel, Listener, deaf
+from missiontree.llm.feature_memory import usual_path
 from missiontree.llm.opening import Settings, open_model
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.control import Control
@@ -191,7 +192,7 @@ def author(request: Request, control: Control | None = None, listen: Listener = 
     company = Company(lambda: author_offline(request.brief, methods), tree_svg, control or Control())
     if not isinstance(request.model, str):
         return author_tree(request.brief, request.model, request.budgets, company=company)
-    opened = open_model(request.model, Settings(base_url=request.base_url, listen=listen))
+    opened = open_model(request.model, Settings(base_url=request.base_url, listen=listen, memory=usual_path()))
     origin = Origin(opened.source, opened.name, opened.endpoint)
     return author_tree(request.brief, opened.model, request.budgets, origin, company)
 

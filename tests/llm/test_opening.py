@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from missiontree.errors import InputError
-from missiontree.llm.opening import PROVIDERS, Settings, keys_found, open_model, without_secrets
+from missiontree.llm.opening import PROVIDERS, Settings, keys_found, open_model
 
 KEYS = {
     "OPENAI_API_KEY": "sk-openai-0",
@@ -55,18 +55,6 @@ def test_an_address_that_is_none_is_refused(url: str) -> None:
 def test_keys_are_found_with_whom_they_are_for() -> None:
     found = [(key, provider.name) for key, provider in keys_found({"GOOGLE_API_KEY": "k", "OPENAI_API_KEY": ""})]
     assert found == [("GOOGLE_API_KEY", "gemini")]
-
-
-@pytest.mark.parametrize(
-    ("url", "shown"),
-    [
-        ("http://localhost:11434/v1", "http://localhost:11434/v1"),
-        ("https://a:b@c.example/v1?x=y#z", "https://c.example/v1"),
-        ("https://token@[::1]:8000/v1", "https://[::1]:8000/v1"),
-    ],
-)
-def test_addresses_lose_what_is_secret(url: str, shown: str) -> None:
-    assert without_secrets(url) == shown
 
 
 def test_every_provider_says_what_it_is() -> None:

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from missiontree import __version__
-from missiontree.cli import check, compare, init, learn, plan, schema, show
+from missiontree.cli import check, compare, init, learn, models, plan, schema, show
 from missiontree.cli.exits import Exit, guarded
 from missiontree.errors import InputError
 
@@ -31,6 +31,7 @@ app.command("check")(check.command)
 app.command("compare")(compare.command)
 app.command("init")(init.command)
 app.command("learn")(learn.command)
+app.command("models")(models.command)
 app.command("schema")(schema.command)
 
 

@@ -10,11 +10,12 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from urllib.parse import urlsplit, urlunsplit
+from urllib.parse import urlsplit
 
 from missiontree.errors import InputError
 from missiontree.llm.chat import ChatModel, Listener, deaf
 from missiontree.llm.discreet import Discreet
+from missiontree.llm.feature_memory import FeatureMemory
 from missiontree.llm.patience import Patience
 
 OLLAMA = "http://localhost:11434/v1"
@@ -36,12 +37,15 @@ class Settings:
         How long answers are waited for.
     environment
         Where keys are found.
+    memory
+        File in which is kept what endpoints were found to lack; None keeps it in this process.
     """
 
     base_url: str = ""
     listen: Listener = deaf
     patience: Patience = Patience()
     environment: Mapping[str, str] = field(default_factory=lambda: os.environ)
+    memory: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +65,7 @@ class Opened:
         Address of the endpoint, without anything secret; empty for the provider's own.
     """
 
-    model: ChatModel
+    model: Discreet
     source: str
     name: str
     endpoint: str = ""
@@ -83,14 +87,17 @@ class Provider:
     keys
         Variables of the environment, one of which must hold a key; none if no key is needed.
     open
-        Opens a model by its name there.
+        Opens a model by its name there; gives it and the address of its endpoint, which is empty for the provider's own.
+    module
+        Module of an extra that it needs; empty if it needs none.
     """
 
     name: str
     example: str
     says: str
     keys: tuple[str, ...]
-    open: Callable[[str, Settings], Opened]
+    open: Callable[[str, Settings], tuple[ChatModel, str]]
+    module: str = ""
 
 
 def open_model(name: str, settings: Settings) -> Opened:
@@ -117,9 +124,10 @@ def open_model(name: str, settings: Settings) -> Opened:
         raise InputError(f"--base-url is given for {name!r}", accepted="openai:NAME or ollama:NAME with --base-url")
     if settings.base_url and urlsplit(settings.base_url).scheme not in {"http", "https"}:
         raise InputError(f"--base-url {settings.base_url!r:.100} is no address", accepted="http://... or https://...")
-    opened = provider.open(model, settings)
+    opened, endpoint = provider.open(model, settings)
     keys = [settings.environment.get(variable, "") for variable in provider.keys]
-    return Opened(Discreet(opened.model, keys), opened.source, opened.name, opened.endpoint)
+    called = Path(model).name if provider_name == "local" else model
+    return Opened(Discreet(opened, keys), provider_name, called, endpoint)
 
 
 def no_such_model(name: str) -> InputError:
@@ -138,13 +146,7 @@ def keys_found(environment: Mapping[str, str]) -> tuple[tuple[str, Provider], ..
     return tuple((key, provider) for provider in PROVIDERS.values() for key in provider.keys if environment.get(key))
 
 
-def without_secrets(url: str) -> str:
-    """An address without user, password, query and fragment."""
-    parts = urlsplit(url)
-    return urlunsplit((parts.scheme, parts.netloc.rpartition("@")[2], parts.path, "", ""))
-
-
-def _openai(model: str, settings: Settings) -> Opened:
+def _openai(model: str, settings: Settings) -> tuple[ChatModel, str]:
     from missiontree.llm.openai import OpenAIModel
 
     url = settings.base_url or settings.environment.get("OPENAI_BASE_URL", "")
@@ -154,38 +156,43 @@ def _openai(model: str, settings: Settings) -> Opened:
         api_key=settings.environment.get("OPENAI_API_KEY"),
         listen=settings.listen,
         patience=settings.patience,
+        memory=FeatureMemory(settings.memory),
     )
-    return Opened(opened, "openai", model, without_secrets(url) if url else "")
+    return opened, opened.endpoint if url else ""
 
 
-def _ollama(model: str, settings: Settings) -> Opened:
+def _ollama(model: str, settings: Settings) -> tuple[ChatModel, str]:
     from missiontree.llm.openai import OpenAIModel
 
-    url = settings.base_url or OLLAMA
-    opened = OpenAIModel(model, base_url=url, api_key="ollama", listen=settings.listen, patience=settings.patience)
-    return Opened(opened, "ollama", model, without_secrets(url))
+    opened = OpenAIModel(
+        model,
+        base_url=settings.base_url or OLLAMA,
+        api_key="ollama",
+        listen=settings.listen,
+        patience=settings.patience,
+        memory=FeatureMemory(settings.memory),
+    )
+    return opened, opened.endpoint
 
 
-def _anthropic(model: str, settings: Settings) -> Opened:
+def _anthropic(model: str, settings: Settings) -> tuple[ChatModel, str]:
     from missiontree.llm.anthropic import AnthropicModel
 
     key = settings.environment.get("ANTHROPIC_API_KEY")
-    opened = AnthropicModel(model, api_key=key, listen=settings.listen, patience=settings.patience)
-    return Opened(opened, "anthropic", model)
+    return AnthropicModel(model, api_key=key, listen=settings.listen, patience=settings.patience), ""
 
 
-def _gemini(model: str, settings: Settings) -> Opened:
+def _gemini(model: str, settings: Settings) -> tuple[ChatModel, str]:
     from missiontree.llm.gemini import GeminiModel
 
     key = settings.environment.get("GEMINI_API_KEY") or settings.environment.get("GOOGLE_API_KEY")
-    opened = GeminiModel(model, api_key=key, listen=settings.listen, patience=settings.patience)
-    return Opened(opened, "gemini", model)
+    return GeminiModel(model, api_key=key, listen=settings.listen, patience=settings.patience), ""
 
 
-def _local(path: str, settings: Settings) -> Opened:
+def _local(path: str, settings: Settings) -> tuple[ChatModel, str]:
     from missiontree.llm.local import LocalModel
 
-    return Opened(LocalModel(Path(path), listen=settings.listen), "local", Path(path).name)
+    return LocalModel(Path(path), listen=settings.listen), ""
 
 
 PROVIDERS: dict[str, Provider] = {
@@ -198,9 +205,9 @@ PROVIDERS: dict[str, Provider] = {
             ("OPENAI_API_KEY",),
             _openai,
         ),
-        Provider("anthropic", "NAME", "Anthropic (extra: anthropic)", ("ANTHROPIC_API_KEY",), _anthropic),
-        Provider("gemini", "NAME", "Google Gemini (extra: gemini)", ("GEMINI_API_KEY", "GOOGLE_API_KEY"), _gemini),
-        Provider("ollama", "NAME", f"an Ollama server, by default at {OLLAMA}", (), _ollama),
-        Provider("local", "FILE.gguf", "a model in this process, from a GGUF file (extra: local)", (), _local),
+        Provider("anthropic", "NAME", "Anthropic", ("ANTHROPIC_API_KEY",), _anthropic, "anthropic"),
+        Provider("gemini", "NAME", "Google Gemini", ("GEMINI_API_KEY", "GOOGLE_API_KEY"), _gemini, "google.genai"),
+        Provider("ollama", "NAME", f"an Ollama server, at {OLLAMA} or --base-url", (), _ollama),
+        Provider("local", "FILE.gguf", "a model in this process, from a GGUF file", (), _local, "mistralrs"),
     )
 }
