@@ -45,11 +45,11 @@ def test_answers_and_tools_follow_the_state(brief: MissionBrief) -> None:
 
     def play(messages: Sequence[Message], tools: Sequence[Tool]) -> Turn:
         seen.append((messages[-1].speaker, [tool.name for tool in tools]))
-        turns: list[Turn] = [[INIT], [SEARCH], [], []]
+        turns: list[Turn] = [[INIT], [SEARCH], []]
         return turns[len(seen) - 1]
 
     assert author_tree(brief, ScriptedModel(play)).status == "complete"
-    assert [speaker for speaker, _ in seen] == ["user", "tool", "tool", "user"]
+    assert [speaker for speaker, _ in seen] == ["user", "tool", "tool"]
     assert "addMultiSubtasks" not in seen[0][1]
     assert "addMultiSubtasks" in seen[1][1]
 

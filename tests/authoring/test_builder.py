@@ -57,7 +57,7 @@ class TestInit:
         box = ToolBox(TreeBuilder(brief))
         answer = box.call("HierarchicalTree_init", {"objective": " Reunite\nmom  with her lost child"})
         assert answer.data["root"] == ROOT
-        assert answer.data["open_leaves"] == [{"id": ROOT, "label": REUNITE}]
+        assert answer.data["open_leaves"] == [ROOT]
         assert tree_of(box).objective == " Reunite\nmom  with her lost child"
 
     def test_a_long_objective_is_kept_and_shown_short(self, brief: MissionBrief) -> None:
@@ -233,7 +233,7 @@ class TestRoutines:
         assert answer.data["offers"] == [
             {"id": "search-child", "can_be_done_by": ["tele_robot", "transportation_robot"]}
         ]
-        assert answer.data["open_leaves"] == [{"id": "bring", "label": "Bring"}]
+        assert answer.data["open_leaves"] == ["bring"]
         node = tree_of(box).by_id["search-child"]
         assert (node.routine, dict(node.arguments), node.resources) == ("Search", {"agent": "child"}, None)
 

@@ -69,40 +69,70 @@ def rules(made: Authored) -> list[str]:
     return [reason.rule for reason in made.reasons]
 
 
-def test_a_finished_tree_is_reviewed_once(brief: MissionBrief) -> None:
-    model = Player(said(INIT, SEARCH), DONE, DONE)
+def test_a_finished_tree_is_reviewed_with_the_answer_that_completes_it(brief: MissionBrief) -> None:
+    model = Player(said(INIT, SEARCH), DONE)
     made = author_tree(brief, model)
     assert made.status == "complete"
-    assert len(model.heard) == 3
-    assert "Review it" in model.heard[2][-1].text
+    first, last = (json.loads(message.text) for message in model.heard[1][-2:])
+    assert "review" not in first
+    assert "Now review the tree" in last["review"]
+    assert "Search(Child)" in last["tree"]
 
 
-def test_a_review_may_mend_the_tree_and_is_not_asked_for_again(brief: MissionBrief) -> None:
-    model = Player(said(INIT, SEARCH), DONE, said(BRING), DONE)
+def test_a_tree_that_is_not_finished_is_not_reviewed(brief: MissionBrief) -> None:
+    tasks = {"parentString": REUNITE, "taskName": "Find", "isPrimitive": False, "LogicalConstraint": "AND"}
+    model = Player(said(INIT, ("CreateAndAddSubtask", tasks)), *[DONE] * 3)
+    assert author_tree(brief, model).status == "incomplete"
+    assert all("review" not in message.text for heard in model.heard for message in heard[2:])
+
+
+def test_a_call_that_is_refused_brings_no_review(brief: MissionBrief) -> None:
+    """The tree is finished, but the model has just been told that something went wrong; the review comes when it stops."""
+    model = Player(said(INIT, SEARCH, ("setLink", {"first": "a", "second": "b"})), DONE, DONE)
+    assert author_tree(brief, model).status == "complete"
+    assert "review" not in model.heard[1][-1].text
+    assert model.heard[2][-1].speaker == "user"
+    assert "Now review the tree" in model.heard[2][-1].text
+
+
+def test_a_tree_that_has_grown_since_is_reviewed_once_more(brief: MissionBrief) -> None:
+    model = Player(said(INIT, SEARCH), said(BRING), DONE, said(), DONE)
     made = author_tree(brief, model)
     assert made.status == "complete"
     assert made.tree is not None
     assert [node.routine for node in made.tree.nodes if node.routine] == ["Search", "ReachAndTransport"]
     assert len(model.heard) == 4
+    assert "Now review the tree" in model.heard[3][-1].text
+
+
+def test_a_mended_tree_that_has_not_grown_is_not_reviewed_again(brief: MissionBrief) -> None:
+    wrong = dict(BRING[1]) | {"treeNames": ["SearchTree", "ReachTree"], "treeArguments": [["Child"], ["Mom"]]}
+    wrong |= {"constraintPairs": [[0, 1]]}
+    turned = [
+        ("dropLink", {"first": "search-child", "second": "reach-mom"}),
+        ("setLink", {"first": "reach-mom", "second": "search-child"}),
+    ]
+    model = Player(said(INIT, ("attachMultiSubTrees", wrong)), said(*turned), DONE)
+    made = author_tree(brief, model)
+    assert made.status == "complete"
+    assert made.tree is not None
+    assert [(link.first, link.second) for link in made.tree.links] == [("reach-mom", "search-child")]
 
 
 def test_a_review_that_breaks_the_tree_does_not_pass(brief: MissionBrief) -> None:
     broken = said(("removeSubtask", {"subtask": "search-child"}))
-    made = author_tree(brief, Player(said(INIT, SEARCH), DONE, broken, DONE, DONE, DONE))
+    made = author_tree(brief, Player(said(INIT, SEARCH), broken, DONE, DONE, DONE))
     assert (made.status, rules(made)) == ("incomplete", ["open_leaf"])
 
 
 def test_reviews_can_be_left_out(brief: MissionBrief) -> None:
-    assert author_tree(brief, Player(said(INIT, SEARCH), DONE), Budgets(reviews=0)).status == "complete"
-
-
-def test_an_unchanged_tree_is_not_reviewed_twice(brief: MissionBrief) -> None:
-    model = Player(said(INIT, SEARCH), DONE, DONE)
-    assert author_tree(brief, model, Budgets(reviews=5)).status == "complete"
+    model = Player(said(INIT, SEARCH), DONE)
+    assert author_tree(brief, model, Budgets(reviews=0)).status == "complete"
+    assert "review" not in model.heard[1][-1].text
 
 
 def test_nothing_of_an_answer_that_was_cut_is_done(brief: MissionBrief) -> None:
-    model = Player(said(INIT, SEARCH, finish="length", text="I think"), said(INIT, SEARCH), DONE, DONE)
+    model = Player(said(INIT, SEARCH, finish="length", text="I think"), said(INIT, SEARCH), DONE)
     made = author_tree(brief, model)
     assert made.status == "complete"
     assert made.spent is not None
@@ -186,7 +216,7 @@ def test_repeated_calls_run_out(brief: MissionBrief) -> None:
 
 def test_calls_get_ids_that_every_provider_takes_back(brief: MissionBrief) -> None:
     """The player gives all calls the same id; ours are nine letters and digits, each once."""
-    model = Player(said(INIT, SEARCH), DONE, DONE)
+    model = Player(said(INIT, SEARCH), DONE)
     author_tree(brief, model)
     history = model.heard[-1]
     ids = [call.id for message in history for call in message.calls]
@@ -197,14 +227,14 @@ def test_calls_get_ids_that_every_provider_takes_back(brief: MissionBrief) -> No
 def test_progress_is_told_after_each_turn(brief: MissionBrief) -> None:
     told: list[Progress] = []
     company = Company(control=Control(report=told.append))
-    author_tree(brief, Player(said(INIT), said(SEARCH), DONE, DONE), company=company)
+    author_tree(brief, Player(said(INIT), said(SEARCH), DONE), company=company)
     assert [(news.stage, news.done, news.found) for news in told][:2] == [("authoring", 1, 1), ("authoring", 2, 2)]
 
 
 def test_what_it_took_is_told(brief: MissionBrief) -> None:
-    made = author_tree(brief, Player(said(INIT, SEARCH), said(), said()))
+    made = author_tree(brief, Player(said(INIT, SEARCH), said()))
     assert made.spent is not None
-    assert (made.spent.turns, made.spent.input_tokens, made.spent.output_tokens) == (3, 30, 15)
+    assert (made.spent.turns, made.spent.input_tokens, made.spent.output_tokens) == (2, 20, 10)
     assert (made.spent.estimated, made.spent.seconds) == (False, 0.0), "nobody was waited for"
     assert replay(made.transcript, brief).spent == made.spent
 
@@ -219,7 +249,7 @@ class TestDeclarations:
         "missing", ["search", "Search", "the capability to search", "SearchTree", "ReachAndTransport", "routine Search"]
     )
     def test_what_the_fleet_has_is_not_missing(self, brief: MissionBrief, missing: str) -> None:
-        model = Player(declare(missing), said(INIT, SEARCH), DONE, DONE)
+        model = Player(declare(missing), said(INIT, SEARCH), DONE)
         made = author_tree(brief, model)
         assert made.status == "complete"
         answer = json.loads(model.heard[1][-1].text)
@@ -259,7 +289,7 @@ class TestDeclarations:
         assert "malformed_arguments" in model.heard[1][-1].text
 
     def test_what_was_sent_back_replays(self, brief: MissionBrief) -> None:
-        made = author_tree(brief, Player(declare("search"), said(INIT, SEARCH), DONE, DONE))
+        made = author_tree(brief, Player(declare("search"), said(INIT, SEARCH), DONE))
         again = replay(made.transcript, brief)
         assert (again.status, again.tree) == ("complete", made.tree)
         insisted = author_tree(brief, Player(declare("search"), declare("Search")))
@@ -274,15 +304,15 @@ class TestBesideThePoint:
         return replace(brief, fleet=Fleet((RobotType(id="scout", count=1, capabilities={"search": 1.0}),)))
 
     def test_the_review_says_what_speaks_against_it(self, unable: MissionBrief) -> None:
-        model = Player(said(INIT, SEARCH), DONE, declare("carry"))
+        model = Player(said(INIT, SEARCH), declare("carry"))
         company = Company(opinion=lambda: author_offline(unable))
         made = author_tree(unable, model, company=company)
-        assert "takes this mission for one that cannot be done" in model.heard[2][-1].text
+        assert "takes this mission for one that cannot be done" in model.heard[1][-1].text
         assert made.status == "cannot_be_done"
 
     def test_a_model_that_stays_with_it_leaves_a_warning(self, unable: MissionBrief) -> None:
         company = Company(opinion=lambda: author_offline(unable))
-        made = author_tree(unable, Player(said(INIT, SEARCH), DONE, DONE), company=company)
+        made = author_tree(unable, Player(said(INIT, SEARCH), DONE), company=company)
         assert made.status == "complete"
         assert {notice.rule for notice in made.notices} == {"perhaps_impossible"}
         assert replay(made.transcript, unable).notices == made.notices
@@ -292,7 +322,7 @@ class TestBesideThePoint:
         company = Company(opinion=lambda: author_offline(odd))
         init = ("HierarchicalTree_init", {"objective": "Repair the lift"})
         reach = ("attachMultiSubTrees", {**SEARCH[1], "parentString": "Repair the lift", "treeArguments": [["lift"]]})
-        made = author_tree(odd, Player(said(init, reach), DONE, DONE), company=company)
+        made = author_tree(odd, Player(said(init, reach), DONE), company=company)
         assert (made.status, made.notices) == ("complete", ())
 
 
@@ -305,7 +335,7 @@ class TestBesideThePoint:
     ],
 )
 def test_history_stays_in_a_form_that_endpoints_take(brief: MissionBrief, strange: Message) -> None:
-    model = Player(strange, said(INIT, SEARCH), DONE, DONE)
+    model = Player(strange, said(INIT, SEARCH), DONE)
     assert author_tree(brief, model).status == "complete"
     history = sendable(model.heard[-1])
     for message in history:
@@ -325,5 +355,5 @@ def test_the_reasons_of_an_opinion_are_asked_for_only_in_doubt(brief: MissionBri
 
     author_tree(brief, Player(ProviderError("down", "unreachable")), company=Company(opinion=opinion))
     assert asked == []
-    author_tree(brief, Player(said(INIT, SEARCH), DONE, DONE), company=Company(opinion=opinion))
+    author_tree(brief, Player(said(INIT, SEARCH), DONE), company=Company(opinion=opinion))
     assert asked == [True]

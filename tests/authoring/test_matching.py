@@ -29,6 +29,15 @@ def test_articles_are_left_aside() -> None:
     assert without_articles("Locate the Lost Child") == ("locate", "lost", "child")
 
 
+def test_a_letter_that_tells_things_apart_is_no_article() -> None:
+    """ "Gate A" is one gate of several; who says "gate" may mean any of them."""
+    assert without_articles("Go to a gate") == ("go", "to", "gate")
+    assert without_articles("A gate") == ("gate",)
+    assert without_articles("Gate A") == without_articles("gate a") == ("gate", "a")
+    assert without_articles("From Gate A to the Dock") == ("from", "gate", "a", "to", "dock")
+    assert not is_near("Fetch specimenB", "Fetch specimen A")
+
+
 @pytest.mark.parametrize(
     ("name", "other"),
     [
@@ -54,6 +63,7 @@ def test_near_names(name: str, other: str) -> None:
         ("Find mom", "Find mom quickly"),
         ("Bring child mother", "Bring mother child"),
         ("the", "a"),
+        ("the", "a gate"),
         ("", ""),
     ],
 )
@@ -67,6 +77,36 @@ def test_look_alike_letters_never_match() -> None:
     assert not is_near("L\u043ecate child", "Locate child")
     assert same_name("L\u043ecate") != same_name("Locate")
     assert same_name("\uff2cocate") != same_name("Locate"), "full-width letters are other letters"
+
+
+@pytest.mark.parametrize(
+    ("disguised", "plain"),
+    [
+        ("tran\u017fporter", "transporter"),  # long s
+        ("\u212aid", "Kid"),  # Kelvin sign
+        ("\ufb01refighter", "firefighter"),  # ligature of f and i
+        ("\ufb06ation", "station"),  # ligature of s and t
+    ],
+)
+def test_letters_that_fold_to_plain_ones_do_not_pass_for_them(disguised: str, plain: str) -> None:
+    """Unicode folds them together with letter case; each is another name here, and its own."""
+    assert disguised.casefold() == plain.casefold() or disguised.startswith("\u212a")
+    assert same_name(disguised) != same_name(plain)
+    assert words_of(f"the {disguised}") != words_of(f"the {plain}")
+    assert same_name(f" {disguised}  A") == same_name(f"{disguised} a")
+
+
+def test_letter_case_beyond_plain_letters_stays_aside() -> None:
+    """Capitals of "ß" are "SS", and a sigma at the end of a word is a sigma."""
+    assert same_name("STRASSE") == same_name("Straße")
+    assert same_name("JÜNGSTER ΟΔΟΣ") == same_name("jüngster οδος")
+
+
+def test_a_parent_is_not_near_by_a_look_alike_of_its_own_script() -> None:
+    """ "ɑ" is a Latin alpha, "ı" a Latin i without a dot; an accent is a slip of the pen and may be one."""
+    assert not is_near("Sp\u0251re task", "Spare task")
+    assert not is_near("v\u0131sit patient", "visit patient")
+    assert is_near("Spáre task", "Spare task")
 
 
 def test_suggestions_come_nearest_first() -> None:

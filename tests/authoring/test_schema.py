@@ -30,7 +30,21 @@ def test_before_there_is_a_tree_it_can_only_be_begun_or_declined(brief: MissionB
 
 
 def test_afterwards_everything_else_is_offered(box: ToolBox) -> None:
+    box.call("setLink", {"first": "find", "second": "bring"})
     assert list(schemas(box)) == [tool.name for tool in TOOLS if tool.name != "HierarchicalTree_init"]
+
+
+def test_nothing_is_taken_away_before_there_is_something(brief: MissionBrief) -> None:
+    box = ToolBox(TreeBuilder(brief))
+    assert box.call("HierarchicalTree_init", {"objective": "x"}).ok
+    assert {"removeSubtask", "setLink", "dropLink"} & set(schemas(box)) == set()
+
+
+def test_only_links_that_there_are_can_be_dropped(box: ToolBox) -> None:
+    assert "dropLink" not in schemas(box)
+    box.call("setLink", {"first": "find", "second": "bring"})
+    ends = schemas(box)["dropLink"]["properties"]
+    assert (ends["first"]["enum"], ends["second"]["enum"]) == (["find"], ["bring"])
 
 
 def test_every_schema_is_one(box: ToolBox, scenic_box: ToolBox) -> None:
@@ -59,9 +73,9 @@ def test_routines_are_those_that_some_robot_can_do(brief: MissionBrief) -> None:
 def test_a_constrained_model_cannot_name_what_is_not_there(scenic_box: ToolBox) -> None:
     schema = schemas(scenic_box)["attachMultiSubTrees"]
     assert accepts(schema, attach("SearchTree", ["child"]))
-    assert accepts(schema, attach("SearchTree", {"agent": "child", "resources": ["tele_robot"]}))
+    assert accepts(schema, attach("SearchTree", ["child", ["tele_robot"]]))
     assert not accepts(schema, attach("SearchTree", ["grandma"]))
-    assert not accepts(schema, attach("SearchTree", {"agent": "child", "resources": ["tank"]}))
+    assert not accepts(schema, attach("SearchTree", ["child", ["tank"]]))
     assert not accepts(schema, attach("FlyTree", ["child"]))
     assert not accepts(schema, attach("SearchTree", ["child"], parent="fetch"))
     scenic_box.call("introduceEntity", {"name": "grandma", "kind": "person"})
@@ -71,10 +85,10 @@ def test_a_constrained_model_cannot_name_what_is_not_there(scenic_box: ToolBox) 
 def test_without_a_scene_the_nouns_of_the_mission_are_offered(box: ToolBox) -> None:
     """Of "Reunite mom with her lost child" two words name somebody; once used, they go by their ids."""
     items = schemas(box)["attachMultiSubTrees"]["properties"]["treeArguments"]["items"]
-    assert items["anyOf"][1]["properties"]["agent"]["enum"] == ["mom", "child"]
+    assert items["items"]["anyOf"][0]["enum"] == ["mom", "child"]
     box.call("attachMultiSubTrees", attach("Search", ["Child"]))
     items = schemas(box)["attachMultiSubTrees"]["properties"]["treeArguments"]["items"]
-    assert items["anyOf"][1]["properties"]["agent"]["enum"] == ["child", "mom"]
+    assert items["items"]["anyOf"][0]["enum"] == ["child", "mom"]
 
 
 def test_kinds_of_entities_and_of_links_are_kept_apart(scenic_box: ToolBox) -> None:
@@ -84,9 +98,7 @@ def test_kinds_of_entities_and_of_links_are_kept_apart(scenic_box: ToolBox) -> N
 
 
 def test_what_the_schema_lets_through_is_not_refused_for_its_form(scenic_box: ToolBox) -> None:
-    call = attach("TransportTree", {"agent": "child", "location": "gate"}) | {
-        "constraintPairs": [["find", 0], [0, "bring", "Until"]]
-    }
+    call = attach("TransportTree", ["child", "gate"]) | {"constraintPairs": [["find", 0], [0, "bring", "Until"]]}
     assert accepts(schemas(scenic_box)["attachMultiSubTrees"], call)
     answer = scenic_box.call("attachMultiSubTrees", call)
     # The first pair links Find with what stands below it: sound in form, refused for what it says.

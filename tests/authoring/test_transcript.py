@@ -81,8 +81,6 @@ def test_every_message_call_and_answer_is_kept(made: Authored) -> None:
         ("message", "assistant"),
         ("answer", True),
         ("message", "assistant"),
-        ("message", "user"),  # the review
-        ("message", "assistant"),
         ("end", None),
     ]
 
@@ -162,13 +160,13 @@ def test_a_status_that_the_calls_do_not_bear_out_is_not_believed(brief: MissionB
         (5, {"call": "call-9-9"}, "was not asked for"),
         (5, {"ok": False}, "is accepted now and was refused"),
         (6, {"ok": True}, "is refused now and was accepted"),
-        (15, {"status": "splendid"}, "no status 'splendid'"),
-        (15, {"reasons": [7]}, "one of the reasons is none"),
-        (15, {"reasons": [{"rule": "x y", "message": "m"}]}, "one of the reasons is none"),
-        (15, {"remarks": [{"rule": "r"}]}, "one of the remarks is none"),
-        (15, {"spent": {"turns": -1}}, "spent cannot be read"),
-        (15, {"spent": {"beers": 1}}, "spent cannot be read"),
-        (15, {"reading": [7]}, "reading is not a list of texts"),
+        (13, {"status": "splendid"}, "no status 'splendid'"),
+        (13, {"reasons": [7]}, "one of the reasons is none"),
+        (13, {"reasons": [{"rule": "x y", "message": "m"}]}, "one of the reasons is none"),
+        (13, {"remarks": [{"rule": "r"}]}, "one of the remarks is none"),
+        (13, {"spent": {"turns": -1}}, "spent cannot be read"),
+        (13, {"spent": {"beers": 1}}, "spent cannot be read"),
+        (13, {"reading": [7]}, "reading is not a list of texts"),
     ],
 )
 def test_damage_is_named_with_its_line(

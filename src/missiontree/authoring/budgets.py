@@ -37,7 +37,8 @@ class Budgets(Value):
     reminders
         How often a model that stops early is told what is missing; after that the dialogue ends as ``incomplete``. Default 2.
     reviews
-        How often a tree that passes the gate is put before the model once more. Default 1.
+        How often at most a tree that passes the gate is put before the model once more: with the answer to the call that completes it,
+        and when the model stops after it has added to the tree since. Default 2.
     """
 
     turns: Count = 60
@@ -47,7 +48,7 @@ class Budgets(Value):
     tokens: Count = 500_000
     seconds: Positive = 1_200.0
     reminders: Index = 2
-    reviews: Index = 1
+    reviews: Index = 2
 
 
 class Meter:

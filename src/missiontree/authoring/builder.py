@@ -111,7 +111,7 @@ class TreeBuilder:
         label = textwrap.shorten(label, MAX_NAME, placeholder=" ...") if len(label) > MAX_NAME else label
         root = MissionNode(id=make_id(label, (), "mission"), label=label)
         tree = MissionTree(objective=objective, nodes=(root,))
-        return self._done(replace(self.state, tree=tree), {"root": root.id} | self._on_offer)
+        return self._done(replace(self.state, tree=tree), {"root": root.id, "routines": self._on_offer})
 
     @_answering
     def add_subtasks(
@@ -341,7 +341,7 @@ class TreeBuilder:
         data: dict[str, Any] = {"parent": above.id, "added": named(nodes)}
         if links:
             data["links"] = [[link.first, link.second, name_of_kind(link.kind)] for link in links[:MOST_SHOWN]]
-        return self._done(state, data | self._on_offer, notices)
+        return self._done(state, data, notices)
 
     def _done(self, state: State, data: Mapping[str, Any], notices: tuple[Reason, ...] = ()) -> Answer:
         self.state = state
@@ -349,9 +349,9 @@ class TreeBuilder:
         return Answer(ok=True, data={**data, **following}, notices=notices)
 
     @property
-    def _on_offer(self) -> dict[str, Any]:
+    def _on_offer(self) -> list[str]:
         """Routines that some robot can do, as a model would call them."""
-        return {"routines": [form_of(known) for known in self.brief.routines.routines if self.offers[known.id].able]}
+        return [form_of(known) for known in self.brief.routines.routines if self.offers[known.id].able]
 
     def _check_not_ended(self) -> None:
         if self.state.impossible:

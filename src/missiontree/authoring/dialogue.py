@@ -1,8 +1,9 @@
 """
 The bounded dialogue between a chat model and the tree-building functions.
 
-A model thinks, then calls; calls of a turn run in the listed order and each is answered. When it stops, the finish gate has the
-word, and a tree that passes is put before the model once more: is each part of the mission covered, is the order right?
+A model thinks, then calls; calls of a turn run in the listed order and each is answered. A tree that passes the finish gate is put
+before the model once more: is each part of the mission covered, is the order right? That stands with the answer to the call that
+completed the tree, since that saves a turn and keeps to the order of speakers that every endpoint takes.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from missiontree.authoring.builder import Draw, TreeBuilder
 from missiontree.authoring.declaration import Declaration, Opinion, missing_of
 from missiontree.authoring.findings import gate
 from missiontree.authoring.outcome import AuthoringStatus
-from missiontree.authoring.prompt import CUT, opening, reminder, review
+from missiontree.authoring.prompt import CUT, opening, reminder, review, review_of
 from missiontree.authoring.schema import offered_tools
 from missiontree.authoring.tools import ToolBox
 from missiontree.authoring.transcript import Transcript
@@ -65,8 +66,7 @@ class Dialogue:
         self._brief, self._model, self._control = brief, model, company.control
         self._declaration = Declaration(self.box.builder, company.opinion)
         self._messages: list[Message] = []
-        self._sent_back = self._reminded = self._reviewed = 0
-        self._tree_reviewed: MissionTree | None = None
+        self._sent_back = self._reminded = self._reviewed = self._nodes_reviewed = 0
 
     def hold(self) -> End:
         """Talk until there is an outcome. An interruption (Ctrl-C) is one, too: each call applies whole, so the tree so far stands."""
@@ -116,10 +116,12 @@ class Dialogue:
     def _run(self, calls: Sequence[ToolCall]) -> End | None:
         """The calls of one turn, in the listed order."""
         answer = None
-        for call in calls:
+        for number, call in enumerate(calls, start=1):
             if over := self.meter.stuck():
                 return "exhausted", (*over, *(answer.reasons if answer else ()))
             answer = self._answer(call)
+            if number == len(calls) and self._is_due_for_review(answer):
+                answer = self._with_review(answer)
             self.transcript.answer(call, answer)
             self._messages.append(Message("tool", answer.text, call_id=call.id))
             self.notices += answer.notices
@@ -155,12 +157,27 @@ class Dialogue:
             self._say(reminder(faults))
             return None
         assert tree is not None, "the gate lets no missing tree pass"
-        if self._reviewed == self.meter.budgets.reviews or tree is self._tree_reviewed:
+        if self._reviewed == self.meter.budgets.reviews or len(tree.nodes) <= self._nodes_reviewed:
             self.remarks += self._declaration.warnings()
             return "complete", ()
-        self._reviewed, self._tree_reviewed = self._reviewed + 1, tree
+        self._count_review(tree)
         self._say(review(tree, self._declaration.against()))
         return None
+
+    def _is_due_for_review(self, answer: Answer) -> bool:
+        """Whether this answer is to the call that completed the tree for the first time."""
+        first = self._reviewed == 0 < self.meter.budgets.reviews
+        tree = self.box.builder.tree
+        return first and answer.ok and tree is not None and not gate(tree, self._brief)
+
+    def _with_review(self, answer: Answer) -> Answer:
+        tree = self.box.builder.tree
+        assert tree is not None, "only a tree is due for review"
+        self._count_review(tree)
+        return replace(answer, data={**answer.data, **review_of(tree, self._declaration.against())})
+
+    def _count_review(self, tree: MissionTree) -> None:
+        self._reviewed, self._nodes_reviewed = self._reviewed + 1, len(tree.nodes)
 
     def _tell(self) -> None:
         tree = self.box.builder.tree

@@ -3,7 +3,8 @@ How names are compared.
 
 Robots, routines and entities are matched exactly, letter case aside. Only the name of a *parent* may be a little off, since a model
 often rewords the task it has just made; a match of that kind is always announced. Look-alike letters of another script never
-match: folding is canonical (NFC), not by compatibility, and a word is near another only if both are written in the same script.
+match: folding is canonical (NFC), not by compatibility, no letter becomes a plain one by it, and a word is near another only if both
+are written in the same script and, accents aside, in the same alphabet.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from __future__ import annotations
 import difflib
 import unicodedata
 from collections.abc import Iterable
+from itertools import groupby
 
 _ARTICLES = frozenset({"the", "a", "an"})
 _LINKING_WORDS = frozenset({"and", "with", "of", "for", "to", "in", "on", "at", "from", "her", "his", "its", "their"})
@@ -24,31 +26,41 @@ _AS_ALIKE = 0.15
 
 def same_name(name: str) -> str:
     """The form under which names of routines, robots and entities are compared: letter case and outer blanks aside."""
-    return unicodedata.normalize("NFC", " ".join(name.split())).casefold()
+    return _folded(" ".join(name.split()))
 
 
 def words_of(name: str) -> tuple[str, ...]:
     """The words of a name, letter case and punctuation aside."""
-    folded = unicodedata.normalize("NFC", name).casefold()
-    spaced = "".join(" " if unicodedata.category(letter)[0] in "PZ" else letter for letter in folded)
-    return tuple(spaced.split())
+    return tuple(_folded(word) for word in _split(name))
 
 
 def without_articles(name: str) -> tuple[str, ...]:
-    """The words of a name, articles aside as well."""
-    return tuple(word for word in words_of(name) if word not in _ARTICLES)
+    """The words of a name, articles aside as well; the "A" of "Gate A" and of "Gate A to dock" is none."""
+    words = _split(name)
+    return tuple(
+        _folded(word)
+        for place, word in enumerate(words)
+        if word.lower() not in _ARTICLES or place == len(words) - 1 or (word == "A" and place)
+    )
 
 
-def is_near(name: str, other: str) -> bool:
+def is_near(name: str, other: str, long: int = _LONG_WORD) -> bool:
     """
     Whether two names mean the same but for linking words ("and" for "with") and one slip in a long word.
 
     Words that carry meaning must be the same and stand in the same order; numbers must be equal.
+
+    Parameters
+    ----------
+    name, other
+        The names.
+    long
+        From how many letters on a word is long. Default 5.
     """
     own, its = (tuple(w for w in without_articles(n) if w not in _LINKING_WORDS) for n in (name, other))
     if len(own) != len(its) or not own:
         return False
-    return all(one == two or _one_slip(one, two) for one, two in zip(own, its, strict=True))
+    return all(one == two or _one_slip(one, two, long) for one, two in zip(own, its, strict=True))
 
 
 def is_misspelt(name: str, other: str) -> bool:
@@ -90,15 +102,39 @@ def quoted(name: str) -> str:
     return repr(name if len(name) <= _LONGEST_SHOWN else f"{name[:_LONGEST_SHOWN]}...")
 
 
+def _split(name: str) -> list[str]:
+    """The words of a name as they are written, without punctuation."""
+    return "".join(" " if unicodedata.category(letter)[0] in "PZ" else letter for letter in name).split()
+
+
+def _folded(text: str) -> str:
+    """The text with letter case aside, look-alikes of plain letters left as they are."""
+    if text.isascii():
+        return text.lower()
+    return "".join(
+        "".join(part) if disguised else unicodedata.normalize("NFC", "".join(part)).casefold()
+        for disguised, part in groupby(text, _is_disguised)
+    )
+
+
+def _is_disguised(letter: str) -> bool:
+    """Whether folding would make plain letters of one that only looks like them: the long s, the Kelvin sign, a ligature."""
+    if letter.isascii() or letter in "ßẞ":  # in capitals it is written SS
+        return False
+    return unicodedata.normalize("NFC", letter).casefold().isascii()
+
+
 def _without_accents(name: str) -> str:
     parts = unicodedata.normalize("NFD", name)
     return "".join(part for part in parts if not unicodedata.combining(part))
 
 
-def _one_slip(one: str, two: str, shortest: int = _LONG_WORD) -> bool:
+def _one_slip(one: str, two: str, shortest: int) -> bool:
     """Whether two long words of one script differ by one letter left out, put in, changed, or by two swapped."""
-    if min(len(one), len(two)) < shortest or _scripts(one) != _scripts(two) or _has_digit(one + two):
+    if min(len(one), len(two)) < shortest or _has_digit(one + two):
         return False
+    if _scripts(one) != _scripts(two) or _without_accents(one).isascii() != _without_accents(two).isascii():
+        return False  # Latin script has look-alikes of its own: a dotless i, an alpha
     start = 0
     while start < min(len(one), len(two)) and one[start] == two[start]:
         start += 1

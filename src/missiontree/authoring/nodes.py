@@ -54,11 +54,13 @@ def _parent_by_name(tree: MissionTree, name: str) -> tuple[MissionNode, bool]:
         lambda node: node.label == name,
         lambda node: same_name(node.label) == same_name(name),
         lambda node: bool(folded) and without_articles(node.label) == folded,
-        lambda node: is_near(node.label, name),
     )
     for number, test in enumerate(tests):
         if matches := [node for node in tree.nodes if test(node)]:
             return _only(matches, name), number == 0
+    if any(is_near(node.label, name) for node in tree.nodes):
+        # A slip may have made it of a shorter word as well: "roosf" of "roofs" or of "roof".
+        return _only([node for node in tree.nodes if is_near(node.label, name, 1)], name), False
     tasks = _tasks(tree)
     raise refuse(
         "unknown_parent",

@@ -39,18 +39,17 @@ on at the same time?
 Then call. Only calls build; words alone do nothing. Calls of one answer run in the order you give them, and later ones may name \
 what earlier ones made.
 
-- Begin with HierarchicalTree_init. Break the mission into tasks with addMultiSubtasks, one for each goal, and end every task in \
-routines with attachMultiSubTrees. Robots do nothing but routines.
+- Begin with HierarchicalTree_init. Break the mission into tasks with addMultiSubtasks, one for each goal; end every task in \
+routines with attachMultiSubTrees.
 - Do the whole mission and nothing beside it. Each goal once; no routine whose work another one includes.
 - Children of a task combine by AND (all of them, at the same time unless linked) or XOR (exactly one; only for a choice that the \
 mission leaves).
-- What must end before something else starts needs a Precedence pair, given with the call that adds the later of the two, or by \
-setLink. What goes on until something else ends needs an Until pair. What may go on at the same time needs none.
+- What must end before something else starts needs a Precedence pair, with the call that adds the later of the two or by setLink. \
+What goes on until something else ends needs an Until pair.
 - Somebody or something lost, missing or of unknown position is searched for first. What has a known position is not.
-- Do not choose robots: who does what is worked out afterwards. Name resources only where the mission asks for robot types or \
-forbids them.
+- Who does what is worked out afterwards. Name resources only where the mission asks for robot types or forbids them.
 - Call things by the ids of the scene. Make known what it lacks by introduceEntity.
-- A refused call has changed nothing. Its answer says what was wrong and what is accepted: put that right and send it again.
+- A refused call has changed nothing. Its answer says what is accepted: put that right and send it again.
 - If the mission asks for something that no routine does or no robot of the team is able to do, call declareImpossible and name what is \
 missing. Do not build a tree beside the point.
 - When the tree is whole, answer without calls."""
@@ -60,6 +59,12 @@ CUT = Message(
     "Your answer was cut off at the most it may say, so nothing of it was done. Send fewer calls in one answer, and think in fewer words.",
     must_call=True,
 )
+
+_REVIEW = (
+    "Every branch ends in a routine. Now review the tree: is each part of the mission covered, and nothing beside it? Is the order right, "
+    "everything lost searched for first? Are things, choices and restrictions on robots as the mission says?"
+)
+_THEN = " If anything is missing or wrong, go on by calls. If all is right, answer without calls."
 
 
 def opening(builder: TreeBuilder) -> tuple[Message, Message]:
@@ -87,9 +92,9 @@ def reminder(findings: Sequence[Reason]) -> Message:
     )
 
 
-def review(tree: MissionTree, against: Sequence[Reason]) -> Message:
+def review_of(tree: MissionTree, against: Sequence[Reason]) -> dict[str, str]:
     """
-    The tree put before its author once more.
+    The tree put before its author once more, as data beside an answer.
 
     Parameters
     ----------
@@ -102,17 +107,17 @@ def review(tree: MissionTree, against: Sequence[Reason]) -> Message:
     if against:
         said = json.dumps([reason.message for reason in against[:_MOST_FINDINGS]], ensure_ascii=False)
         doubt = (
-            f"\nA simple reader that knows only fixed phrases takes this mission for one that cannot be done, because of {said}. "
+            f" A simple reader that knows only fixed phrases takes this mission for one that cannot be done, because of {said}. "
             "If it is right, call declareImpossible. If your tree does what the mission asks for, leave it."
         )
+    return {"tree": outline(tree), "review": _REVIEW + doubt + _THEN}
+
+
+def review(tree: MissionTree, against: Sequence[Reason]) -> Message:
+    """The same as a message of its own; see :func:`review_of`."""
+    made = review_of(tree, against)
     return Message(
-        "user",
-        f"This is your tree, as data: {json.dumps(outline(tree), ensure_ascii=False)}\n"
-        "Review it. Is each part of the mission covered, and nothing beside it? Is the order right, and is everything lost searched for "
-        "first? Does each routine speak of the right things? Are choices and restrictions on robots as the mission says?"
-        + doubt
-        + "\n"
-        "If anything is wrong, mend it by calls (removeSubtask, setLink and dropLink too). If all is right, answer without calls.",
+        "user", f"This is your tree, as data: {json.dumps(made['tree'], ensure_ascii=False)}\n{made['review']}"
     )
 
 

@@ -19,9 +19,18 @@ Schema = dict[str, Any]
 
 
 def offered_tools(builder: TreeBuilder) -> tuple[Tool, ...]:
-    """The tools of this turn. Before there is a tree it can only be begun, or declined."""
-    begun = builder.tree is not None
-    now = [tool for tool in TOOLS if (tool.name != "HierarchicalTree_init" if begun else tool.name in _BEFORE_THE_TREE)]
+    """
+    The tools of this turn: those that can do something.
+
+    Before there is a tree it can only be begun, or declined. What takes something away is offered once there is something to take.
+    """
+    tree = builder.tree
+    useless = {"HierarchicalTree_init"}
+    if tree is not None and len(tree.nodes) == 1:
+        useless |= {"removeSubtask", "setLink"}
+    if tree is not None and not tree.links:
+        useless.add("dropLink")
+    now = [tool for tool in TOOLS if (tool.name in _BEFORE_THE_TREE if tree is None else tool.name not in useless)]
     narrowed = _narrowed(builder)
     return tuple(Tool(tool.name, tool.description, schema_of(tool, narrowed)) for tool in now)
 
@@ -59,26 +68,21 @@ def _narrowed(builder: TreeBuilder) -> dict[str, Schema]:
         "second": _one_of(nodes),
         "introduceEntity.kind": _one_of(known_kinds(builder.cast.scene)),
         "treeNames": {"type": "array", "items": _one_of(routine.wire_name for routine in able), "minItems": 1},
-        "treeArguments": _calls(
-            builder, tuple(dict.fromkeys(name for routine in able for name in routine.argument_kinds))
-        ),
+        "treeArguments": _calls(builder),
+        "dropLink.first": _one_of(dict.fromkeys(link.first for link in tree.links)),
+        "dropLink.second": _one_of(dict.fromkeys(link.second for link in tree.links)),
     }
 
 
-def _calls(builder: TreeBuilder, names: tuple[str, ...]) -> Schema:
+def _calls(builder: TreeBuilder) -> Schema:
+    """Arguments in their order. The form by name is accepted as well; one form is offered, since two are twice as long."""
     agents = [entity.id for entity in builder.cast.everyone]
     if builder.brief.scene is None:
         called = {spelling for entity in builder.cast.everyone for spelling in (entity.id, entity.label.casefold())}
         agents += [noun for noun in nouns_said(builder.brief.text) if noun not in called]
-    agent = _one_of(agents)
     resources = {"type": "array", "items": _one_of(builder.brief.fleet.by_id), "minItems": 1}
-    in_order = {"type": "array", "items": {"anyOf": [agent, resources]}, "minItems": 1}
-    by_name = {
-        "type": "object",
-        "properties": dict.fromkeys(names, agent) | {"resources": resources},
-        "additionalProperties": False,
-    }
-    return {"type": "array", "items": {"anyOf": [in_order, by_name]}, "minItems": 1}
+    in_order = {"type": "array", "items": {"anyOf": [_one_of(agents), resources]}, "minItems": 1}
+    return {"type": "array", "items": in_order, "minItems": 1}
 
 
 def _one_of(names: Iterable[str]) -> Schema:

@@ -75,8 +75,8 @@ _GATE = Parameter(
 _PAIRS = Parameter(
     "constraintPairs",
     PAIRS,
-    "Links [a, b] or [a, b, kind]; kind is Precedence (default: a ends before b starts), SameRobot, DifferentRobot or Until (a lasts "
-    "until b ends); a and b are ids, names, indices into this call's list counted from 0, or SearchTree(cat). Null, [] and {} mean none.",
+    "Links [a, b] or [a, b, kind]: Precedence (default: a ends before b starts), SameRobot, DifferentRobot, Until (a lasts until b "
+    "ends). a, b: ids, names, places in this call's list from 0, or SearchTree(cat).",
     optional=True,
     also=("contraintsPairs", "constraintsPairs"),
 )
@@ -130,8 +130,8 @@ TOOLS: tuple[TreeFunction, ...] = (
             Parameter(
                 "treeArguments",
                 CALLS,
-                "Per routine its arguments, entities by name: a list in order, or an object by argument. Either may end in resources, "
-                "a list of the robot types allowed.",
+                "Per routine its arguments, entities by name: a list in order, or an object by argument. Either may end in resources: "
+                "a list of robot types, no others may do it.",
             ),
             _GATE,
             _PAIRS,

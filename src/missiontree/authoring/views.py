@@ -36,7 +36,7 @@ def named(nodes: Iterable[MissionNode]) -> list[dict[str, str]]:
 def state_of(tree: MissionTree) -> dict[str, Any]:
     """What stands open: the next call's work."""
     leaves = tree.open_leaves
-    state: dict[str, Any] = {"open_leaves": named(leaves[:_MOST_LEAVES]), "nodes": len(tree.nodes)}
+    state: dict[str, Any] = {"open_leaves": [leaf.id for leaf in leaves[:_MOST_LEAVES]], "nodes": len(tree.nodes)}
     return state | ({"open_leaves_not_shown": len(leaves) - _MOST_LEAVES} if len(leaves) > _MOST_LEAVES else {})
 
 
