@@ -140,6 +140,7 @@ def test_mission_that_nobody_can_do_is_declared_so() -> None:
     assert made.status == "cannot_be_done"
     assert called(made)[-1] == "declareImpossible"
     assert made.reasons[0].rule == "no_robot_able"
+    assert "payload_kg 900" in made.reasons[0].needed, "the first reason names what is lacking, and carrying is not"
     # The one robot that can carry is too weak.
     weak = [
         reason for reason in made.reasons if reason.rule == "limit_too_low" and reason.robot == "transportation_robot"

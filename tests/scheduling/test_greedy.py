@@ -13,6 +13,7 @@ from missiontree.mission.fleet import Fleet, Robot
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.ways import Lift, RoadGraph
 from missiontree.scheduling import SCHEDULERS
 from tests.scheduling.instances import (
     Group,
@@ -225,6 +226,19 @@ def test_what_is_unknown_takes_no_travel_and_is_said() -> None:
     assert times(made, slow)["a.1"] == (1, 2)
     assert legs(made, slow)["a.1"] == (1, 1, 3)
     assert [reason.rule for reason in slow.assumptions] == ["speed_unknown"]
+
+
+def test_a_way_by_lift_alone_says_so_too_if_the_speed_is_not_known() -> None:
+    """No metre is travelled, and the ride is left out all the same: who is slow in a corridor may wait for the lift, too."""
+    p, q = Position(0, 0), Position(9, 0)
+    world = Scene(
+        places=(Entity(id="p", kind="place", position=p), Entity(id="q", kind="place", position=q)),
+        roads=RoadGraph(lifts=(Lift(id="hoist", stops=("p", "q"), ride_s=5),)),
+    )
+    made = mission([Part("a", "r", [work(1, at="q")])])
+    result = schedule(made, robots("r", position=p), world=world)
+    assert (times(made, result)["a.0"], legs(made, result)) == ((0, 1), {})
+    assert [reason.rule for reason in result.assumptions] == ["speed_unknown"]
 
 
 def test_after_work_at_an_unknown_place_the_robot_is_somewhere_unknown() -> None:

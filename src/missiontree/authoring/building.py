@@ -16,6 +16,7 @@ from missiontree.authoring.links import name_of_kind
 from missiontree.authoring.methods.mention import Mention
 from missiontree.authoring.methods.outline import Piece
 from missiontree.authoring.outcome import Authored
+from missiontree.mission.fleet import Fleet
 from missiontree.mission.reason import Reason
 
 _NO_LACK = frozenset({"resource_excluded", "kind_refused"})  # who is not asked, and whom it is not done to
@@ -49,13 +50,26 @@ def _refused(desk: Desk, refusal: Answer) -> Authored:
     if refusal.reasons[0].rule != "no_robot_able":
         return desk.ended("incomplete", refusal.reasons)
     why = [reason for reason in refusal.reasons[1:] if reason.needed and reason.rule not in _NO_LACK]
-    lacks = [reason for reason in why if reason.rule == "capability_missing"] or why
+    lacks = _decisive(desk.brief.fleet, why)
     needed = [reason.needed for reason in lacks]
     somebody = f"a robot that can do {refusal.reasons[0].node}"
     missing = ", ".join(dict.fromkeys(needed)) or somebody
     first = replace(refusal.reasons[0], needed=missing[:200])
     here = any(kind.capability(need) is not None for need in needed for kind in desk.brief.fleet.types)
     return desk.declared_impossible((first, *refusal.reasons[1:]), somebody if here else missing)
+
+
+def _decisive(fleet: Fleet, why: Sequence[Reason]) -> list[Reason]:
+    """
+    The reasons that name what the fleet lacks.
+
+    A capability that nobody has; else what those lack who have all capabilities (a payload, say), since the others are not even asked
+    for it; else everything.
+    """
+    skills = [reason for reason in why if reason.rule == "capability_missing"]
+    nobody = [one for one in skills if all(kind.capability(one.needed) is None for kind in fleet.types)]
+    unskilled = {reason.robot for reason in skills}
+    return nobody or [reason for reason in why if reason.robot not in unskilled] or list(why)
 
 
 @dataclass

@@ -1,30 +1,28 @@
 """
 Dialogues that ended in a checked tree, as data to fine-tune a chat model on: messages and tools, in the form that trainers take.
 
-Only what was checked is taught: the transcript is replayed, and the finish gate has the word. By default the calls that were refused are
-left out, and with them the words that speak of them.
+Only what was checked is taught: the transcript is replayed against its mission, and the finish gate has the word.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from missiontree.authoring.builder import TreeBuilder
 from missiontree.authoring.declaration import Declaration, Opinion
 from missiontree.authoring.outcome import Authored, AuthoringStatus
-from missiontree.authoring.taught import call_taught, tools_taught
+from missiontree.authoring.retelling import retold
+from missiontree.authoring.taught import tools_taught
 from missiontree.authoring.transcript import replay
 from missiontree.formats.digest import digest
-from missiontree.llm.chat import Message, ToolCall
-from missiontree.llm.history import sendable
+from missiontree.llm.chat import Message
 from missiontree.llm.recording import Answered, Recording, read_recording
 from missiontree.mission.brief import MissionBrief
 
-_SAID_BEFORE_THE_MISSION = "The mission: "
-_MALFORMED = {"malformed_arguments", "unknown_function"}
+_BEFORE_THE_MISSION = "The mission: "
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,8 +33,8 @@ class Choice:
     Parameters
     ----------
     refused
-        Keep the calls that were refused but well formed, with their answers, and mark the messages they stand in as not to be learnt
-        (``"weight": 0``). Default: leave them out.
+        Keep refused calls that were well formed, and answers that were cut, in messages marked as not to be learnt (``"weight": 0``).
+        Default: leave them out; see :func:`missiontree.authoring.retelling.retold`.
     impossible
         Take dialogues, too, that ended with the declaration that the mission cannot be done, where nothing speaks against it. Default:
         only finished trees.
@@ -83,7 +81,7 @@ class Unfit:
 
 
 def example_from(
-    lines: Sequence[str], brief: MissionBrief, choice: Choice = Choice(), opinion: Opinion | None = None
+    lines: Sequence[str], brief: MissionBrief, choice: Choice | None = None, opinion: Opinion | None = None
 ) -> Example | Unfit:
     """
     Make an example of a transcript.
@@ -95,7 +93,7 @@ def example_from(
     brief
         Its mission.
     choice
-        What is taken.
+        What is taken. Default: finished trees, without what was refused.
     opinion
         What an author without a model makes of the mission, for declarations; None if nobody is asked.
 
@@ -104,129 +102,54 @@ def example_from(
     InputError
         With the line, if the transcript is damaged or does not replay.
     """
+    choice = choice or Choice()
     recording = read_recording(lines)
     if recording.mission != digest(brief):
         return Unfit("it was recorded with another mission, fleet, scene or set of routines")
     made = replay(lines, brief)
-    if unfit := _not_checked(made, choice, brief, opinion):
-        return unfit
-    if mission_said(recording) is None:
-        return Unfit("it holds calls only: it begins with no words to a model")
-    messages = _Editing(recording, choice).messages()
+    if why := _why_not(made, recording, choice, Declaration(TreeBuilder(brief), opinion)):
+        return Unfit(why)
+    messages = retold(recording, choice.refused)
     if not any(message.get("tool_calls") for message in messages):
         return Unfit("none of its calls is left")
-    refused = sum(not entry.ok for _, entry in recording.entries if isinstance(entry, Answered))
     return Example(
-        source=recording.source, model=recording.model, status=made.status, messages=messages, refused=refused
+        source=recording.source,
+        model=recording.model,
+        status=made.status,
+        messages=messages,
+        refused=sum(not answer.ok for answer in _answers(recording)),
     )
 
 
 def mission_said(recording: Recording) -> str | None:
-    """The mission in the words that the model was told; None if the transcript begins with no words to a model."""
+    """The mission in the words that the model was told; None if the transcript does not begin with words to a model."""
     said = [entry for _, entry in recording.entries[:2] if isinstance(entry, Message)]
     if [message.speaker for message in said] != ["system", "user"]:
         return None
     text = said[1].text
-    return text.removeprefix(_SAID_BEFORE_THE_MISSION) if text.startswith(_SAID_BEFORE_THE_MISSION) else None
+    return text.removeprefix(_BEFORE_THE_MISSION) if text.startswith(_BEFORE_THE_MISSION) else None
 
 
-def _not_checked(made: Authored, choice: Choice, brief: MissionBrief, opinion: Opinion | None) -> Unfit | None:
-    """Why what a dialogue came to is not to be taught; None if it is."""
-    why = f": {made.reasons[0].message}" if made.reasons else ""
+def _why_not(made: Authored, recording: Recording, choice: Choice, declaration: Declaration) -> str:
+    """Why a dialogue is not to be taught, in words; empty if it is."""
+    if mission_said(recording) is None:
+        return "it holds calls only, and no words to a model; authors without a model leave such transcripts"
+    if doubts := [notice.message for notice in made.notices if notice.rule == "perhaps_impossible"]:
+        return f"there is a doubt about its tree: {doubts[0]}"
     if made.status == "complete":
-        return None
-    if made.status != "cannot_be_done" or not choice.impossible:
-        return Unfit(f"it ended as {made.status.replace('_', ' ')}{why}")
-    declaration = Declaration(TreeBuilder(brief), opinion)
-    if against := declaration.refuted(made.reasons[0].needed) or declaration.doubted():
-        return Unfit(f"it ended as cannot be done, and something speaks against that: {against[0].message}")
-    return None
+        return ""
+    if made.status != "cannot_be_done":
+        because = f": {made.reasons[0].message}" if made.reasons else ""
+        return f"it ended as {made.status.replace('_', ' ')}{because}"
+    if not choice.impossible:
+        return "its mission was declared impossible; such dialogues are taken only if they are asked for"
+    against = declaration.refuted(made.reasons[0].needed) or declaration.doubted()
+    return (
+        f"its mission was declared impossible, and something speaks against that: {against[0].message}"
+        if against
+        else ""
+    )
 
 
-class _Editing:
-    """Goes through a transcript once and keeps what is taught."""
-
-    def __init__(self, recording: Recording, choice: Choice) -> None:
-        self._choice = choice
-        self._entries = [entry for _, entry in recording.entries]
-        self._answers = {entry.call: entry for entry in self._entries if isinstance(entry, Answered)}
-        self._turns = 0
-        self._not_learnt: set[str] = set()  # ids of calls that stand there for the sake of what followed
-        self._gap = False  # whether something was left out just before
-
-    def messages(self) -> tuple[dict[str, Any], ...]:
-        """The dialogue, up to the last message that the model said."""
-        kept = list(sendable(self._kept()))
-        while kept and kept[-1].speaker != "assistant":
-            kept.pop()
-        return tuple(self._plain(message) for message in kept)
-
-    def _kept(self) -> Iterator[Message]:
-        cut = False
-        for entry in self._entries:
-            if not isinstance(entry, Message):
-                continue
-            if entry.speaker != "assistant":
-                if not cut or self._choice.refused:  # words about an answer that is left out go with it
-                    yield entry
-                cut = False
-                continue
-            self._turns += 1
-            cut = entry.finish == "length"
-            yield from self._cut(entry) if cut else self._turn(entry)
-
-    def _cut(self, said: Message) -> Iterator[Message]:
-        """An answer that was cut: none of its calls was made."""
-        self._gap = not self._choice.refused
-        if self._choice.refused:
-            yield replace(said, calls=())
-
-    def _turn(self, said: Message) -> Iterator[Message]:
-        """A message and the answers to its calls."""
-        after_a_gap, self._gap = self._gap, False
-        kept: list[tuple[ToolCall, Answered]] = []
-        for call in said.calls:
-            answer = self._answers.get(call.id)
-            if answer is None:  # the dialogue ended before it was this call's turn
-                continue
-            taught = self._taught(call, answer)
-            if taught is None:
-                self._gap = True
-                continue
-            taught = replace(taught, id=f"t{self._turns:04d}c{len(kept) + 1:03d}")
-            if not answer.ok:
-                self._not_learnt.add(taught.id)
-            kept.append((taught, answer))
-        if kept or not said.calls:
-            yield replace(said, text="" if after_a_gap else said.text, calls=tuple(call for call, _ in kept))
-        for call, answer in kept:
-            yield Message("tool", answer.text, call_id=call.id)
-
-    def _taught(self, call: ToolCall, answer: Answered) -> ToolCall | None:
-        """The call as it is taught; None if it is left out."""
-        if answer.ok or (self._choice.refused and not _rules(answer) & _MALFORMED):
-            return call_taught(call)
-        return None
-
-    def _plain(self, message: Message) -> dict[str, Any]:
-        if message.speaker == "tool":
-            return {"role": "tool", "tool_call_id": message.call_id, "content": message.text}
-        if message.speaker != "assistant":
-            return {"role": message.speaker, "content": message.text}
-        made: dict[str, Any] = {"role": "assistant", "content": message.text or None}
-        if message.calls:
-            made["tool_calls"] = [
-                {"id": call.id, "type": "function", "function": {"name": call.name, "arguments": call.arguments}}
-                for call in message.calls
-            ]
-        if message.finish == "length" or any(call.id in self._not_learnt for call in message.calls):
-            made["weight"] = 0
-        return made
-
-
-def _rules(answer: Answered) -> set[str]:
-    """Rules that a refusal names; a refusal of a form that is not known counts as one of arguments."""
-    try:
-        return {str(refused["rule"]) for refused in json.loads(answer.text)["refused"]}
-    except (ValueError, KeyError, TypeError, RecursionError):
-        return {"malformed_arguments"}
+def _answers(recording: Recording) -> list[Answered]:
+    return [entry for _, entry in recording.entries if isinstance(entry, Answered)]

@@ -65,15 +65,12 @@ def call_taught(call: ToolCall) -> ToolCall | None:
         read = read_arguments(tool, parsed)
     except RefusalError:
         return None
-    said = {known: spelling for spelling in parsed for known in tool.parameters if _is_of(known, spelling)}
-    written = {
-        known.name: _written(known, parsed[said[known]], read[known.name]) for known in tool.parameters if known in said
-    }
+    written = {}
+    for known in tool.parameters:
+        spelling = next((name for name in (known.name, *known.also) if name in parsed), None)
+        if spelling is not None:
+            written[known.name] = _written(known, parsed[spelling], read[known.name])
     return replace(call, arguments=json.dumps(written, ensure_ascii=False))
-
-
-def _is_of(known: Parameter, spelling: str) -> bool:
-    return spelling in {known.name, *known.also}
 
 
 def _written(known: Parameter, said: Any, read: Any) -> Any:

@@ -89,20 +89,20 @@ def _judge_need(need: Need, robot_type: RobotType, entities: Mapping[str, Entity
         return Reason(
             rule="limit_unknown",
             severity="assumption",
-            message=f"{task}: {robot_type.label} states no {need.limit}; it is taken to meet {wanted:g}{_because(why)}.",
+            message=f"{task}: {robot_type.label} states no {need.limit}; it is taken to meet {wanted:.12g}{_because(why)}.",
             robot=robot_type.id,
-            needed=f"{need.limit} {wanted:g}{_because(why)}",
+            needed=f"{need.limit} {wanted:.12g}{_because(why)}",
         )
     too_low = need.at_least is not None and has < wanted
     if not too_low and not (need.at_most is not None and has > wanted):
         return None
     return Reason(
         rule="limit_too_low" if too_low else "limit_too_high",
-        message=f"{robot_type.label} cannot do {task}: {need.limit} {has:g}, needed "
-        f"{'' if too_low else 'at most '}{wanted:g}{_because(why)}.",
+        message=f"{robot_type.label} cannot do {task}: {need.limit} {has:.12g}, needed "
+        f"{'' if too_low else 'at most '}{wanted:.12g}{_because(why)}.",
         robot=robot_type.id,
-        found=f"{need.limit} {has:g}",
-        needed=f"{need.limit} {wanted:g}{_because(why)}",
+        found=f"{need.limit} {has:.12g}",
+        needed=f"{need.limit} {wanted:.12g}{_because(why)}",
     )
 
 
@@ -140,7 +140,7 @@ def _wanted(need: Need, entities: Mapping[str, Entity]) -> tuple[float | None, s
     if value is None:
         return None, f"{attribute} of {entity.label}"
     shared = f", share {need.share:g}" if need.share != 1 else ""
-    return value * need.share, f"{entity.label} {attribute} {value:g}{shared}"
+    return value * need.share, f"{entity.label} {attribute} {value:.12g}{shared}"
 
 
 def _because(why: str) -> str:

@@ -99,7 +99,7 @@ def _assumptions(problem: Problem, draft: Draft) -> tuple[Reason, ...]:
                     hint="Give the robot a position or a place.",
                 ),
             )
-        elif trip.metres and not problem.trips.speed_known(kind.id):
+        elif trip.origin != trip.destination and not problem.trips.speed_known(kind.id):  # by lift alone, no metre is travelled
             reasons.setdefault(
                 ("speed_unknown", kind.id),
                 Reason(

@@ -12,6 +12,7 @@ from missiontree.authoring.reading.words import Word
 Relation = Literal["start", "and", "then", "earlier", "meanwhile", "before", "after", "while", "until", "shares", "or"]
 MAX_CLAUSE_WORDS = 60
 SUBORDINATE = frozenset({"before", "after", "while", "until"})
+Doubt = Literal["", "first", "last"]
 _BLANK_BEFORE_SIGN = re.compile(r" (?=[,)])")
 
 
@@ -53,8 +54,9 @@ class Clause:
         Whether a comma alone joins it.
     opens, closes
         Whether it is said to be the first, or the last, of all.
-    late
-        Whether *first* is said of it though orders stand before it: it is not clear whether it goes before those.
+    doubt
+        What is not clear about its order. ``first``: that is said of it though orders stand before it, and it may go before those or not.
+        ``last``: "at the end" and the like stand behind a list, and it may be said of its last part alone.
     own_subject
         Whether it says itself who or what it is about: "the box must be found".
     sentence
@@ -78,7 +80,7 @@ class Clause:
     own_subject: bool = False
     opens: bool = False
     closes: bool = False
-    late: bool = False
+    doubt: Doubt = ""
     sentence: int = 0
 
     @property

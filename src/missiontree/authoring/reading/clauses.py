@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from missiontree.authoring.language.kinds import kind_of
 from missiontree.authoring.language.lexicon import Lexicon, Verb
-from missiontree.authoring.reading.clause import SUBORDINATE, Clause, Relation
+from missiontree.authoring.reading.clause import SUBORDINATE, Clause, Doubt, Relation
 from missiontree.authoring.reading.finishing import finished, says_something, without_openings
 from missiontree.authoring.reading.words import MODALS, OBJECTS, STOPS, Word, is_mark
 
@@ -52,7 +52,7 @@ class _Splitter:
     first: bool = False  # what was said last goes before what comes
     opens: bool = False  # the clause under way is the first of all
     closes: bool = False  # the clause under way is the last of all
-    late: bool = False  # "first" stands before it, and orders before that: before those, or when they are done?
+    doubt: Doubt = ""
     pause: bool = False  # a comma stands before the clause under way
     either: bool = False  # the clause under way begins a choice
     leading: bool = False  # the clause under way is subordinate and its main clause comes behind it
@@ -144,7 +144,7 @@ class _Splitter:
         if relation == "first":
             ends = lows[place + length : place + length + 1]
             self.opens = self.opens or not (self.held or self.done)
-            self.late = self.late or self._is_late()
+            self.doubt = "first" if self._is_late() else self.doubt
             if (
                 self.held
                 and (not ends or ends[0] in {",", "and", *STOPS})
@@ -183,10 +183,11 @@ class _Splitter:
 
     def _said_last(self, relation: str) -> bool:
         """A word such as *afterwards* behind what is to be done says how it is joined to what stands before."""
-        if self.main is None and relation == "then":
+        if relation == "then" and (self.main is None or self.relation not in {"and", "start"}):
             if {"and", ","} & {word.low for word in self.held}:
-                return False  # "visit room 3, and room 5 after that" is said of the last of a list
-            self.closes = True
+                self.doubt = "last"  # "visit room 3, and room 5 after that"
+                return True
+            self.closes = self.closes or self.main is None
         if self.relation in {"and", "start"} and self.main is not None and not self.leading:
             self.relation, self.anchor = relation, self.main  # type: ignore[assignment]  # then, earlier or meanwhile
         return True
@@ -313,10 +314,11 @@ class _Splitter:
                     listed=self.listed,
                     opens=self.opens,
                     closes=self.closes,
-                    late=self.late,
+                    doubt=self.doubt,
                 )
             )
-            self.either = self.pause = self.listed = self.opens = self.closes = self.late = False
+            self.either = self.pause = self.listed = self.opens = self.closes = False
+            self.doubt = ""
             if not self.leading and self.relation not in SUBORDINATE:
                 self.main = index
         elif following in {"start", "and"}:

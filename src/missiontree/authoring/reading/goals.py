@@ -21,6 +21,17 @@ from missiontree.authoring.reading.wishes import errand_of, wish_of
 from missiontree.authoring.reading.wording import with_object
 from missiontree.mission.reason import Reason
 
+_DOUBTS = {
+    "first": (
+        "it is said to come first, and it is not clear whether it comes before what was said before it",
+        "Say 'before that' or 'then' in place of 'first'.",
+    ),
+    "last": (
+        "it is a list, and it is not clear whether all of it comes at the end, or the last part alone",
+        "Say 'then' before what comes last.",
+    ),
+}
+
 
 @dataclass
 class GoalReader:
@@ -71,9 +82,8 @@ class GoalReader:
             words = ", ".join(repr(word) for word in clause.decisive)
             detail = f"the offline author does not know what to make of {words} there"
             return trouble("decisive_words", clause, detail, advice.on_leaving_out(clause))
-        if clause.late:
-            unclear = "it is said to come first, and it is not clear whether it comes before what was said before it"
-            return trouble("order_unclear", clause, unclear, "Say 'before that' or 'then' in place of 'first'.")
+        if clause.doubt:
+            return trouble("order_unclear", clause, *_DOUBTS[clause.doubt])
         if single := advice.single(clause):
             return trouble("single_robot", clause, single)
         if idiom := idiom_in(clause, self.hearing.lexicon):
