@@ -296,6 +296,37 @@ class TestDeclarations:
         assert replay(insisted.transcript, brief).status == "incomplete"
 
 
+class TestUnclear:
+    """A model that says what cannot be planned as it stands."""
+
+    def unclear(self, words: str) -> Message:
+        return said(("declareUnclear", {"words": words, "question": "Which child?"}))
+
+    def test_it_ends_as_incomplete_with_the_words(self, brief: MissionBrief) -> None:
+        made = author_tree(brief, Player(self.unclear("her lost child")))
+        assert (made.status, rules(made)) == ("incomplete", ["declared_unclear"])
+        assert made.reasons[0].found == "her lost child"
+        assert made.reasons[0].message.endswith("because of 'her lost child': Which child?")
+        again = replay(made.transcript, brief)
+        assert (again.status, again.reasons) == ("incomplete", made.reasons)
+
+    @pytest.mark.parametrize("words", ["her cat", "mom lost", ", "])
+    def test_words_that_the_mission_does_not_have_are_refused(self, brief: MissionBrief, words: str) -> None:
+        model = Player(self.unclear(words), said(INIT, SEARCH), DONE)
+        assert author_tree(brief, model).status == "complete"
+        assert json.loads(model.heard[1][-1].text)["refused"][0]["rule"] == "not_said"
+
+    def test_what_another_reader_can_plan_is_asked_about_once(self, brief: MissionBrief) -> None:
+        company = Company(opinion=lambda: author_offline(brief))
+        model = Player(self.unclear("child"), self.unclear("child"))
+        assert author_tree(brief, model, company=company).status == "incomplete"
+        assert "declaration_contradicted" in model.heard[1][-1].text
+
+    def test_nothing_is_built_after_it(self, brief: MissionBrief) -> None:
+        made = author_tree(brief, Player(said(("declareUnclear", {"words": "child", "question": "Who?"}), INIT)))
+        assert (made.status, made.tree) == ("incomplete", None)
+
+
 class TestBesideThePoint:
     """A tree that passes the gate for a mission that the fleet cannot do."""
 

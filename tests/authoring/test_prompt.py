@@ -9,6 +9,7 @@ from missiontree.authoring.builder import TreeBuilder
 from missiontree.authoring.prompt import opening, reminder, review
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.entity import Entity
+from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from tests.authoring.conftest import REUNITE
@@ -48,6 +49,14 @@ def test_robot_types_are_quoted_with_their_numbers(brief: MissionBrief) -> None:
     robots = {entry["id"]: entry for entry in block(system.text, "Robot types of the team")}
     assert robots["tele_robot"]["count"] == 2
     assert "search" in robots["tele_robot"]["capabilities"]  # type: ignore[operator]
+
+
+def test_robots_with_names_are_told_by_name(brief: MissionBrief) -> None:
+    """So that a mission that asks for Otto can be given to the type he is of."""
+    carts = RobotType(id="cart", robots=(Robot(id="otto"), Robot(id="anna")), capabilities={"reach": 1.0})
+    system, _ = opening(TreeBuilder(replace(brief, fleet=Fleet((carts,)))))
+    (told,) = block(system.text, "Robot types of the team")
+    assert told == {"id": "cart", "count": 2, "called": ["otto", "anna"], "capabilities": ["reach"]}
 
 
 def test_mass_and_position_of_a_thing_are_told_as_far_as_they_are_known(brief: MissionBrief) -> None:

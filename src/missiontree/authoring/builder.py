@@ -16,6 +16,7 @@ from typing import Any, Concatenate, ParamSpec
 
 from missiontree.authoring.answer import Answer, RefusalError, refuse
 from missiontree.authoring.edits import depth_of, with_children, with_entities, with_links, without
+from missiontree.authoring.endings import impossible, unclear
 from missiontree.authoring.entities import Cast, known_kinds
 from missiontree.authoring.findings import MAX_DEPTH, MAX_NODES, findings
 from missiontree.authoring.links import Pair, check_links, name_of_kind
@@ -50,11 +51,14 @@ class State:
         The gate each parent was told, which a task with a single child keeps for the next one.
     impossible
         Why the mission was declared impossible; empty if it was not.
+    unclear
+        Why the mission was declared unclear; empty if it was not.
     """
 
     tree: MissionTree | None = None
     gates: Mapping[str, Gate] = field(default_factory=lambda: FrozenMap({}))
     impossible: tuple[Reason, ...] = ()
+    unclear: tuple[Reason, ...] = ()
 
 
 def _answering(call: Callable[Concatenate[TreeBuilder, P], Answer]) -> Callable[Concatenate[TreeBuilder, P], Answer]:
@@ -299,20 +303,26 @@ class TreeBuilder:
         self._check_not_ended()
         _check_text(missing, "missing", MAX_NAME)
         _check_text(" ".join(reason.split()), "reason", MAX_OBJECTIVE)
-        declared = Reason(
-            rule="declared_impossible",
-            message=f"The mission cannot be done: {missing} is missing. {reason}",
-            needed=missing,
-            hint="Add a routine and a robot that can do it, or reword the mission.",
-        )
-        has = [kind.label for kind in self.brief.fleet.types if kind.capability(missing) is not None]
-        doubt = Reason(
-            rule="capability_present",
-            message=f"{missing} was called missing, but {listed(has)} of this fleet has it.",
-            severity="notice",
-        )
-        state = replace(self.state, impossible=(declared,))
-        return self._done(state, {"declared": "impossible"}, (doubt,) if has else ())
+        declared, doubts = impossible(missing, reason, self.brief)
+        return self._done(replace(self.state, impossible=(declared,)), {"declared": "impossible"}, doubts)
+
+    @_answering
+    def declare_unclear(self, words: str, question: str) -> Answer:
+        """
+        Say that the mission cannot be planned as it stands.
+
+        Parameters
+        ----------
+        words
+            The words of the mission in question.
+        question
+            What the operator should say.
+        """
+        self._check_not_ended()
+        _check_text(" ".join(words.split()), "words", MAX_NAME)
+        _check_text(" ".join(question.split()), "question", MAX_OBJECTIVE)
+        declared = unclear(words, " ".join(question.split()), self.brief)
+        return self._done(replace(self.state, unclear=(declared,)), {"declared": "unclear"})
 
     def _grown(
         self,
@@ -354,10 +364,8 @@ class TreeBuilder:
         return [form_of(known) for known in self.brief.routines.routines if self.offers[known.id].able]
 
     def _check_not_ended(self) -> None:
-        if self.state.impossible:
-            raise refuse(
-                "ended", "The mission has been declared impossible; that was the last word.", hint="Say no more."
-            )
+        if self.state.impossible or self.state.unclear:
+            raise refuse("ended", "The mission has been declined; that was the last word.", hint="Say no more.")
 
     def _begun(self) -> MissionTree:
         self._check_not_ended()

@@ -1,5 +1,5 @@
 """
-A model's declaration that a mission cannot be done, held against the fleet.
+A model's declaration that a mission cannot be done, or is not clear, held against the fleet and a second reader.
 
 Models decline what they could do about as readily as they try what nobody can. What a declaration names as missing is looked up: a
 capability that a robot type has, a routine that somebody can do and an entity of the scene are not missing.
@@ -19,6 +19,7 @@ from missiontree.mission.reason import Reason
 Opinion = Callable[[], Authored]
 """What an author without a model makes of the mission; asked only if there is a doubt."""
 
+DECLARATIONS = frozenset({"declareImpossible", "declareUnclear"})
 SENT_BACK = "declaration_contradicted"
 _EMPTY_WORDS = frozenset({"a", "an", "the", "capability", "ability", "to", "of", "routine", "robot", "skill", "no"})
 
@@ -66,7 +67,7 @@ class Declaration:
                 rule=SENT_BACK,
                 message="An author without a model reads this mission as one that can be done, by this tree: "
                 + outline(found.tree),
-                hint="If that is what the mission asks for, build it. If it is not, declare again, and say what is missing.",
+                hint="If that is what the mission asks for, build it. If it is not, declare again, and say why.",
             ),
         )
 
@@ -128,7 +129,7 @@ class Declaration:
 
 
 def missing_of(arguments: Mapping[str, Any]) -> str:
-    """What a call of ``declareImpossible`` names as missing; empty if that is no text."""
+    """What a declaration names as missing; empty if that is no text, and if it names nothing."""
     missing = arguments.get("missing")
     return missing if isinstance(missing, str) else ""
 

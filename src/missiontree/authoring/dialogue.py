@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from missiontree.authoring.answer import Answer, RefusalError
 from missiontree.authoring.budgets import Budgets, Meter
 from missiontree.authoring.builder import Draw, TreeBuilder
-from missiontree.authoring.declaration import Declaration, Opinion, missing_of
+from missiontree.authoring.declaration import DECLARATIONS, Declaration, Opinion, missing_of
 from missiontree.authoring.findings import gate
 from missiontree.authoring.outcome import AuthoringStatus
 from missiontree.authoring.prompt import CUT, opening, reminder, review, review_of
@@ -128,13 +128,15 @@ class Dialogue:
             self.meter.call(answer.ok, any(reason.rule == "repeated_call" for reason in answer.reasons))
             if impossible := self.box.builder.state.impossible:
                 return "cannot_be_done", impossible
+            if unclear := self.box.builder.state.unclear:
+                return "incomplete", unclear
             if self._sent_back > 1:
                 return "incomplete", answer.reasons
         over = self.meter.stuck()
         return ("exhausted", (*over, *(answer.reasons if answer else ()))) if over else None
 
     def _answer(self, call: ToolCall) -> Answer:
-        if call.name == "declareImpossible" and (evidence := self._contradiction(call)):
+        if call.name in DECLARATIONS and (evidence := self._contradiction(call)):
             self._sent_back += 1
             return Answer(ok=False, reasons=evidence)
         return self.box.call(call.name, call.arguments)

@@ -25,6 +25,7 @@ from missiontree.mission.tree import MissionTree
 _MOST_ENTITIES = 200
 _MOST_FINDINGS = 50
 _LONGEST_NOTE = 300
+_MOST_ROBOTS = 50
 
 _RULES = """\
 You turn a mission for a team of robots into a mission tree, by calling the functions you are given.
@@ -51,7 +52,8 @@ What goes on until something else ends needs an Until pair.
 - Call things by the ids of the scene. Make known what it lacks by introduceEntity.
 - A refused call has changed nothing. Its answer says what is accepted: put that right and send it again.
 - If the mission asks for something that no routine does or no robot of the team is able to do, call declareImpossible and name what is \
-missing. Do not build a tree beside the point.
+missing. If it has a condition, a clock time or a way not to take, or may mean several things, call declareUnclear. Build no tree \
+beside the point.
 - When the tree is whole, answer without calls."""
 
 CUT = Message(
@@ -87,7 +89,7 @@ def reminder(findings: Sequence[Reason]) -> Message:
     more = f"\n- ... and {len(findings) - _MOST_FINDINGS} more" if len(findings) > _MOST_FINDINGS else ""
     return Message(
         "user",
-        f"The tree is not finished:\n{lines}{more}\nPut this right by calls, or call declareImpossible. Only calls count.",
+        f"The tree is not finished:\n{lines}{more}\nPut this right by calls, or decline by a call. Only calls count.",
         must_call=True,
     )
 
@@ -129,6 +131,7 @@ def _lines(entries: Iterable[dict[str, Any]]) -> str:
 def _robot(kind: RobotType) -> dict[str, Any]:
     limits = {name: value for name, value in kind.limits.items() if isinstance(value, int | float)}
     shown = _labelled(kind.id, kind.label) | {"count": len(kind.members)}
+    shown |= {"called": [robot.id for robot in kind.robots[:_MOST_ROBOTS]]} if kind.robots else {}
     return shown | {"capabilities": list(kind.capabilities)} | ({"limits": limits} if limits else {})
 
 

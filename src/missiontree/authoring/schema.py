@@ -14,7 +14,7 @@ from missiontree.authoring.entities import known_kinds, nouns_said
 from missiontree.authoring.tools import TOOLS, TreeFunction
 from missiontree.llm.chat import Tool
 
-_BEFORE_THE_TREE = frozenset({"HierarchicalTree_init", "listRoutines", "declareImpossible"})
+_BEFORE_THE_TREE = frozenset({"HierarchicalTree_init", "listRoutines", "declareImpossible", "declareUnclear"})
 Schema = dict[str, Any]
 
 
@@ -23,9 +23,10 @@ def offered_tools(builder: TreeBuilder) -> tuple[Tool, ...]:
     The tools of this turn: those that can do something.
 
     Before there is a tree it can only be begun, or declined. What takes something away is offered once there is something to take.
+    A picture is for people: a model that asks for it gets it, and it is not offered one.
     """
     tree = builder.tree
-    useless = {"HierarchicalTree_init"}
+    useless = {"HierarchicalTree_init", "plotTree"}
     if tree is not None and len(tree.nodes) == 1:
         useless |= {"removeSubtask", "setLink"}
     if tree is not None and not tree.links:

@@ -69,9 +69,7 @@ class TreeFunction:
 
 
 _PARENT = Parameter("parentString", TEXT, "Id or name of the task above.")
-_GATE = Parameter(
-    "LogicalConstraint", GATE, "How the children of the parent combine: AND does all of them, XOR exactly one."
-)
+_GATE = Parameter("LogicalConstraint", GATE, "Over all children of the parent: AND does all of them, XOR exactly one.")
 _PAIRS = Parameter(
     "constraintPairs",
     PAIRS,
@@ -95,7 +93,7 @@ TOOLS: tuple[TreeFunction, ...] = (
         "Add one task below a task.",
         (
             _PARENT,
-            Parameter("isPrimitive", FLAG, "False: tasks are done by routines below them."),
+            Parameter("isPrimitive", FLAG, "False: routines below do it."),
             Parameter("taskName", TEXT, "What the task is called."),
             _GATE,
         ),
@@ -108,7 +106,7 @@ TOOLS: tuple[TreeFunction, ...] = (
         "Add several tasks below a task, with links among them.",
         (
             _PARENT,
-            Parameter("isPrimitiveList", FLAGS, "False for each task: tasks are done by routines below them."),
+            Parameter("isPrimitiveList", FLAGS, "False for each task: routines below do it."),
             Parameter("taskNameList", TEXTS, "What the tasks are called."),
             _GATE,
             _PAIRS,
@@ -123,7 +121,7 @@ TOOLS: tuple[TreeFunction, ...] = (
     ),
     TreeFunction(
         "attachMultiSubTrees",
-        "Put routines below a task. Robots do nothing but routines, so every branch of the tree ends in them.",
+        "Put routines below a task. Every branch of the tree ends in them.",
         (
             _PARENT,
             Parameter("treeNames", TEXTS, "Names of routines, such as SearchTree."),
@@ -150,7 +148,7 @@ TOOLS: tuple[TreeFunction, ...] = (
     ),
     TreeFunction(
         "introduceEntity",
-        "Make known a person, animal, object or place that the scene does not have. Its position is then unknown.",
+        "Make known somebody or something that the scene does not have. Its position is then unknown.",
         (
             Parameter("name", TEXT, "What it is called."),
             Parameter("kind", TEXT, "person, animal, object, place, or a kind of the scene."),
@@ -159,7 +157,7 @@ TOOLS: tuple[TreeFunction, ...] = (
     ),
     TreeFunction(
         "removeSubtask",
-        "Take a task or routine out of the tree, with all below it and the links that end there.",
+        "Take a node out, with all below it and the links that end there.",
         (Parameter("subtask", TEXT, "Id or name of the node."),),
         lambda builder, given: builder.remove_subtask(given["subtask"]),
     ),
@@ -180,18 +178,28 @@ TOOLS: tuple[TreeFunction, ...] = (
     ),
     TreeFunction(
         "listRoutines",
-        "List the routines: what each does, what it takes, which robot types can do it, and why others cannot.",
+        "List the routines: what each takes, who can do it, and why others cannot.",
         (),
         lambda builder, given: builder.list_routines(),
     ),
     TreeFunction(
         "declareImpossible",
-        "Say that the mission cannot be done, because a capability is missing or a limit is too low. This ends the dialogue.",
+        "Say that the mission cannot be done: a capability is missing or a limit too low. Ends the dialogue.",
         (
             Parameter("missing", TEXT, "The capability or limit that is missing."),
             Parameter("reason", TEXT, "Why the mission needs it."),
         ),
         lambda builder, given: builder.declare_impossible(given["missing"], given["reason"]),
+    ),
+    TreeFunction(
+        "declareUnclear",
+        "Say that the mission may mean several things, or has what no tree holds: a condition, a clock time, a way not to take. Ends the "
+        "dialogue.",
+        (
+            Parameter("words", TEXT, "The words in question, as the mission has them."),
+            Parameter("question", TEXT, "What the operator should say."),
+        ),
+        lambda builder, given: builder.declare_unclear(given["words"], given["question"]),
     ),
 )
 BY_NAME = {tool.name: tool for tool in TOOLS}

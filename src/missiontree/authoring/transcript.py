@@ -8,6 +8,7 @@ from typing import get_args
 
 from missiontree.authoring.answer import Answer
 from missiontree.authoring.builder import TreeBuilder
+from missiontree.authoring.declaration import DECLARATIONS
 from missiontree.authoring.findings import gate
 from missiontree.authoring.outcome import Authored, AuthoringStatus
 from missiontree.authoring.tools import ToolBox
@@ -171,7 +172,7 @@ def _answers(recording: Recording, box: ToolBox, same_inputs: bool) -> list[Answ
         if not asked or asked[0].id != entry.call:
             raise damaged(number, f"call {entry.call!r} is answered here, and was not asked for at this point")
         call = asked.pop(0)
-        if call.name == "declareImpossible" and not entry.ok:
+        if call.name in DECLARATIONS and not entry.ok:
             continue  # sent back with evidence, or refused: it had no effect then, and has none now
         answer = box.call(call.name, call.arguments)
         if same_inputs and answer.ok != entry.ok:
@@ -192,6 +193,8 @@ def _outcome(recording: Recording, builder: TreeBuilder, last: int) -> tuple[Aut
         raise damaged(last, "reading is not a list of texts")
     if builder.state.impossible:
         return "cannot_be_done", (said if status == "cannot_be_done" and said else builder.state.impossible)
+    if builder.state.unclear:
+        return "incomplete", (said if status == "incomplete" and said else builder.state.unclear)
     faults = gate(builder.tree, builder.brief)
     if status == "complete":
         return ("incomplete", faults) if faults else ("complete", ())

@@ -1,0 +1,82 @@
+"""Calls and tools in the form in which they are taught."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from jsonschema import Draft202012Validator
+
+from missiontree.authoring.taught import call_taught, tools_taught
+from missiontree.authoring.tools import TOOLS
+from missiontree.llm.chat import ToolCall
+
+
+def schema_of(name: str) -> Draft202012Validator:
+    parameters = next(tool["function"]["parameters"] for tool in tools_taught() if tool["function"]["name"] == name)
+    return Draft202012Validator(parameters)
+
+
+def test_every_function_is_there_once_in_the_order_of_the_registry() -> None:
+    made = tools_taught()
+    assert [tool["function"]["name"] for tool in made] == [tool.name for tool in TOOLS]
+    assert [tool["function"]["description"] for tool in made] == [tool.description for tool in TOOLS]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "fits"),
+    [
+        ([["cat"]], True),
+        ([["cat", "gate", ["tele_robot"]]], True),
+        ([{"agent": "cat", "resources": ["tele_robot"]}], True),
+        (["cat"], False),
+        ([[]], False),
+        ([], False),
+        ([{"agent": 7}], False),
+    ],
+)
+def test_arguments_of_routines_are_names_or_lists_of_names(arguments: object, fits: bool) -> None:
+    call = {"parentString": "x", "treeNames": ["SearchTree"], "treeArguments": arguments, "LogicalConstraint": "AND"}
+    assert schema_of("attachMultiSubTrees").is_valid(call) == fits
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        ("flyAway", "{}"),
+        ("printTree", "{"),
+        ("printTree", "[]"),
+        ("printTree", '{"a": 1}'),
+        ("setLink", '{"first": "a"}'),
+        ("setLink", '{"first": "a", "second": "b", "kind": "Forever"}'),
+    ],
+)
+def test_malformed_calls_are_not_taught(call: tuple[str, str]) -> None:
+    assert call_taught(ToolCall("x", *call)) is None
+
+
+def test_a_call_without_arguments_has_an_empty_object() -> None:
+    assert call_taught(ToolCall("x", "printTree", "")) == ToolCall("x", "printTree", "{}")
+
+
+def test_arguments_stand_in_the_order_of_the_function_and_keep_their_letters() -> None:
+    given = '{"kind": "place", "name": "Bäckerei"}'
+    taught = call_taught(ToolCall("x", "introduceEntity", given))
+    assert taught is not None
+    assert taught.arguments == '{"name": "Bäckerei", "kind": "place"}'
+
+
+def test_pairs_of_the_usual_kind_are_written_short() -> None:
+    given = {
+        "parentString": "x",
+        "isPrimitiveList": [False, False, False],
+        "taskNameList": ["a", "b", "c"],
+        "LogicalConstraint": "and",
+        "constraintPairs": [["a", 1, "precedence"], [1, 2, "SameRobot"]],
+    }
+    taught = call_taught(ToolCall("x", "addMultiSubtasks", json.dumps(given)))
+    assert taught is not None
+    written = json.loads(taught.arguments)
+    assert written["constraintPairs"] == [["a", 1], [1, 2, "SameRobot"]]
+    assert written["LogicalConstraint"] == "AND"
+    assert schema_of("addMultiSubtasks").is_valid(written)
