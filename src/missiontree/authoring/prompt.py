@@ -28,9 +28,9 @@ _LONGEST_NOTE = 300
 _MOST_ROBOTS = 50
 
 _RULES = """\
-You turn a mission for a team of robots into a mission tree, by calling the functions you are given.
+You turn a mission for a team of robots into a mission tree by function calls.
 
-Think first, step by step, in a few lines:
+Think first, step by step, in few lines:
 1. What must be true when the mission is over? Which separate goals does that make?
 2. For each goal: which routine serves it, with which persons, animals, objects and places? Does the routine already include \
 getting there or carrying?
