@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from missiontree.authoring.builder import TreeBuilder
 from missiontree.authoring.prompt import opening, reminder, review
+from missiontree.mission.area import Zone
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, Robot, RobotType
@@ -44,6 +45,26 @@ def test_routines_say_what_they_take_and_who_can_do_them(scenic: MissionBrief) -
     assert str(search["purpose"]).startswith("Search for")
 
 
+def test_ways_that_take_fewer_kinds_are_told_apart(scenic: MissionBrief) -> None:
+    """Carrying takes all that the routine takes; following a message, persons only."""
+    system, _ = opening(TreeBuilder(scenic))
+    routines = block(system.text, "Routines")
+    transport = next(entry for entry in routines if entry["routine"] == "TransportTree(agent, location)")
+    assert transport["can_be_done_by"] == {
+        "carry": ["transportation_robot"],
+        "message_display (agent: person)": ["social_robot"],
+    }
+
+
+def test_zones_are_told(brief: MissionBrief) -> None:
+    fleet = Fleet((RobotType(id="cart", count=1, zones=("yard",), capabilities={"reach": 1.0}),))
+    yard = Zone(id="yard")
+    scene = Scene(zones=(yard,), entities=(Entity(id="crate", zone="yard"),))
+    system, _ = opening(TreeBuilder(replace(brief, fleet=fleet, scene=scene)))
+    assert block(system.text, "Robot types of the team")[0]["zones"] == ["yard"]
+    assert block(system.text, "Scene")[0]["zone"] == "yard"
+
+
 def test_robot_types_are_quoted_with_their_numbers(brief: MissionBrief) -> None:
     system, _ = opening(TreeBuilder(brief))
     robots = {entry["id"]: entry for entry in block(system.text, "Robot types of the team")}
@@ -76,7 +97,8 @@ def test_long_scenes_are_cut_and_say_so(brief: MissionBrief) -> None:
 
 def test_without_a_scene_the_missions_names_are_used(brief: MissionBrief) -> None:
     system, _ = opening(TreeBuilder(brief))
-    assert system.text.endswith("are used by the names it gives them.")
+    assert "Call things as the mission calls them." in system.text
+    assert system.text.endswith("Scene:\nNone is described.")
 
 
 def test_a_reminder_says_what_is_missing_and_wants_calls() -> None:

@@ -11,10 +11,11 @@ from missiontree.mission.reason import Reason
 
 _SHOWN = ("rule", "message", "hint")
 # What helps people is a file to edit; what helps a model is a call to make.
-_HINTS_FOR_MODELS = {
+_REPLACED = {
     "entity_introduced": "Introduce it with its kind by introduceEntity, if that is wrong.",
-    "no_robot_able": "Use another routine, or declareImpossible with what is missing.",
+    "no_robot_able": "If no other routine serves the mission, call declareImpossible with what is missing.",
 }
+_ADDED = {"unknown_robot": "If the mission insists on it, call declareImpossible; put no other in its place."}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,10 +52,10 @@ class Answer:
         """
         plain: dict[str, Any] = {"ok": self.ok}
         if self.reasons:
-            plain["refused"] = [_shown(reason) for reason in self.reasons]
+            plain["refused"] = _refused(self.reasons)
         if self.notices:
             plain["notices"] = [_shown(reason) for reason in self.notices]
-        return json.dumps(plain | dict(self.data), ensure_ascii=False)
+        return json.dumps(plain | dict(self.data), ensure_ascii=False, separators=(",", ":"))
 
 
 class RefusalError(Exception):
@@ -70,8 +71,31 @@ def refuse(rule: str, message: str, **more: str) -> RefusalError:
     return RefusalError(Reason(rule=rule, message=message, **more))  # type: ignore[arg-type]  # severity stays "error"
 
 
+def _refused(reasons: tuple[Reason, ...]) -> list[dict[str, str]]:
+    """
+    Reasons of a refusal, those that a model can do something about first.
+
+    A robot type that lacks a capability is out whatever else it lacks, so such types are named together, and last.
+    """
+    if not reasons:
+        return []
+    lacking: dict[str, dict[str, None]] = {}
+    for reason in reasons[1:]:
+        if reason.rule == "capability_missing" and reason.robot and reason.needed:
+            lacking.setdefault(reason.needed, {})[reason.robot] = None
+    out = {robot for robots in lacking.values() for robot in robots}
+    near = [_shown(reason) for reason in reasons[1:] if reason.robot not in out]
+    far = [
+        {"rule": "capability_missing", "message": f"{', '.join(robots)}: no {needed}."}
+        for needed, robots in lacking.items()
+    ]
+    return [_shown(reasons[0]), *near, *far]
+
+
 def _shown(reason: Reason) -> dict[str, str]:
     shown = {name: getattr(reason, name) for name in _SHOWN if getattr(reason, name)}
-    return shown | (
-        {"hint": _HINTS_FOR_MODELS[reason.rule]} if reason.hint and reason.rule in _HINTS_FOR_MODELS else {}
-    )
+    if reason.hint and reason.rule in _REPLACED:
+        shown["hint"] = _REPLACED[reason.rule]
+    if reason.rule in _ADDED:
+        shown["hint"] = f"{reason.hint} {_ADDED[reason.rule]}".strip()
+    return shown

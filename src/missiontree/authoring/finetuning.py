@@ -32,15 +32,14 @@ class Choice:
 
     Parameters
     ----------
-    refused
-        Keep refused calls that were well formed, and answers that were cut, in messages marked as not to be learnt (``"weight": 0``).
-        Default: leave them out; see :func:`missiontree.authoring.retelling.retold`.
+    slips
+        Keep slips, in messages marked as not to be learnt; see :func:`missiontree.authoring.retelling.retold`. Default: leave them out.
     impossible
         Take dialogues, too, that ended with the declaration that the mission cannot be done, where nothing speaks against it. Default:
         only finished trees.
     """
 
-    refused: bool = False
+    slips: bool = False
     impossible: bool = False
 
 
@@ -93,7 +92,7 @@ def example_from(
     brief
         Its mission.
     choice
-        What is taken. Default: finished trees, without what was refused.
+        What is taken. Default: finished trees, without slips.
     opinion
         What an author without a model makes of the mission, for declarations; None if nobody is asked.
 
@@ -104,18 +103,19 @@ def example_from(
     """
     choice = choice or Choice()
     recording = read_recording(lines)
+    if why := why_not(recording, choice):
+        return Unfit(why)
     if recording.mission != digest(brief):
         return Unfit("it was recorded with another mission, fleet, scene or set of routines")
-    made = replay(lines, brief)
-    if why := _why_not(made, recording, choice, Declaration(TreeBuilder(brief), opinion)):
+    if why := _why_not_checked(replay(lines, brief), Declaration(TreeBuilder(brief), opinion)):
         return Unfit(why)
-    messages = retold(recording, choice.refused)
+    messages = retold(recording, brief.routines, choice.slips)
     if not any(message.get("tool_calls") for message in messages):
         return Unfit("none of its calls is left")
     return Example(
         source=recording.source,
         model=recording.model,
-        status=made.status,
+        status=recording.end["status"],
         messages=messages,
         refused=sum(not answer.ok for answer in _answers(recording)),
     )
@@ -130,19 +130,26 @@ def mission_said(recording: Recording) -> str | None:
     return text.removeprefix(_BEFORE_THE_MISSION) if text.startswith(_BEFORE_THE_MISSION) else None
 
 
-def _why_not(made: Authored, recording: Recording, choice: Choice, declaration: Declaration) -> str:
-    """Why a dialogue is not to be taught, in words; empty if it is."""
+def why_not(recording: Recording, choice: Choice) -> str:
+    """Why a dialogue is not taken whatever its mission was, in words; empty if it may be."""
     if mission_said(recording) is None:
         return "it holds calls only, and no words to a model; authors without a model leave such transcripts"
-    if doubts := [notice.message for notice in made.notices if notice.rule == "perhaps_impossible"]:
-        return f"there is a doubt about its tree: {doubts[0]}"
-    if made.status == "complete":
-        return ""
-    if made.status != "cannot_be_done":
-        because = f": {made.reasons[0].message}" if made.reasons else ""
-        return f"it ended as {made.status.replace('_', ' ')}{because}"
-    if not choice.impossible:
+    status = recording.end["status"]
+    if status == "cannot_be_done" and not choice.impossible:
         return "its mission was declared impossible; such dialogues are taken only if they are asked for"
+    if status not in {"complete", "cannot_be_done"}:
+        messages = [str(reason.get("message")) for reason in recording.end["reasons"] if isinstance(reason, dict)]
+        return f"it ended as {str(status).replace('_', ' ')}{f': {messages[0]}' if messages else ''}"
+    return ""
+
+
+def _why_not_checked(made: Authored, declaration: Declaration) -> str:
+    """Why what a dialogue came to, replayed, is not to be taught, in words; empty if it is."""
+    if made.status == "complete":
+        doubts = [notice.message for notice in made.notices if notice.rule == "perhaps_impossible"]
+        return f"there is a doubt about its tree: {doubts[0]}" if doubts else ""
+    if made.status != "cannot_be_done":
+        return f"its tree does not pass the gate: {made.reasons[0].message}"
     against = declaration.refuted(made.reasons[0].needed) or declaration.doubted()
     return (
         f"its mission was declared impossible, and something speaks against that: {against[0].message}"

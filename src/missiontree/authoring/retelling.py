@@ -1,23 +1,28 @@
-"""A recorded dialogue as it is taught: what was refused left out, or marked as not to be learnt."""
+"""A recorded dialogue as it is taught: its slips left out, or marked as not to be learnt."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import Any
 
+from missiontree.authoring.prompt import reminder
 from missiontree.authoring.taught import call_taught
 from missiontree.llm.chat import Message, ToolCall
 from missiontree.llm.history import sendable
 from missiontree.llm.recording import Answered, Recording
+from missiontree.mission.routine import RoutineLibrary
 
 _MALFORMED = {"malformed_arguments", "unknown_function"}
+_REMINDER = reminder(()).text.partition("\n")[0]
 Turn = tuple[Message, list[Answered]]
 """A message, and the answers to its calls, in order; the calls behind the last answer were not made."""
+Told = tuple[Message, bool]
+"""A message, and whether it is to be learnt."""
 
 
-def retold(recording: Recording, refused: bool) -> tuple[dict[str, Any], ...]:
+def retold(recording: Recording, library: RoutineLibrary, slips: bool) -> tuple[dict[str, Any], ...]:
     """
     The dialogue as chat endpoints take it, up to the last message that the model said.
 
@@ -25,15 +30,20 @@ def retold(recording: Recording, refused: bool) -> tuple[dict[str, Any], ...]:
     ----------
     recording
         The transcript, which replays.
-    refused
-        Whether refused calls that were well formed stay, with their answers, and likewise answers that were cut; their messages have
-        ``"weight": 0``. Otherwise they are left out, and so are the words that the model said next, which may speak of them.
+    library
+        The routines of its mission.
+    slips
+        Slips are refused calls, answers that were cut, and stopping before the tree is finished. True: they stay, with what was said to
+        them, in messages that have ``"weight": 0``; only malformed calls are left out. False: they are left out, and so are the words that
+        the model said next, since these may speak of them.
     """
-    telling = _Telling(refused)
-    kept = list(sendable(message for turn in _turns(recording) for message in telling.told(*turn)))
-    while kept and kept[-1].speaker != "assistant":
-        kept.pop()
-    return tuple(telling.plain(message) for message in kept)
+    made: list[dict[str, Any]] = []
+    for message, learnt in _Telling(library, slips).told(_turns(recording)):
+        for clean in sendable((message,)):
+            _put(made, _plain(clean) | ({} if learnt else {"weight": 0}))
+    while made and made[-1]["role"] != "assistant":
+        made.pop()
+    return tuple(made)
 
 
 def _turns(recording: Recording) -> list[Turn]:
@@ -49,59 +59,49 @@ def _turns(recording: Recording) -> list[Turn]:
 class _Telling:
     """Goes through a dialogue once."""
 
-    def __init__(self, refused: bool) -> None:
-        self._refused = refused
+    def __init__(self, library: RoutineLibrary, slips: bool) -> None:
+        self._library, self._slips = library, slips
         self._number = 0  # of the model's message
-        self._was_cut = self._gap = False  # of the message before; whether something of it was left out
-        self._not_learnt: set[str] = set()  # ids of calls that stay for the sake of what follows them
+        self._gap = False  # whether something was left out since the model spoke last
 
-    def told(self, said: Message, answers: list[Answered]) -> Iterator[Message]:
-        """What stays of a message and of the answers to its calls."""
-        was_cut, gap = self._was_cut, self._gap
-        self._was_cut = False
-        if said.speaker != "assistant":
-            if not was_cut or self._refused:  # words about an answer that is left out go with it
-                yield said
-            return
-        self._number += 1
-        if said.finish == "length":  # none of its calls was made
-            self._was_cut, self._gap = True, not self._refused
-            if self._refused:
-                yield replace(said, calls=())
-            return
-        kept = self._kept(said, answers)
-        self._gap = len(kept) < len(answers)
+    def told(self, turns: list[Turn]) -> Iterator[Told]:
+        """What stays of a dialogue."""
+        following = [said for said, _ in turns[1:]] + [Message("user")]
+        answer_left_out = False
+        for (said, answers), then in zip(turns, following, strict=True):
+            if said.speaker != "assistant":
+                if not answer_left_out:  # words about an answer that is left out go with it
+                    yield said, True
+                answer_left_out = False
+                continue
+            self._number += 1
+            if said.finish == "length" or (not said.calls and _is_reminder(then)):
+                answer_left_out = self._gap = not self._slips
+                if self._slips:
+                    yield replace(said, calls=()), False
+            else:
+                yield from self._turn(said, answers)
+
+    def _turn(self, said: Message, answers: list[Answered]) -> Iterator[Told]:
+        kept = self._kept(said.calls, answers)
+        gap, self._gap = self._gap, len(kept) < len(answers)
         if kept or not answers:
-            yield replace(said, text="" if gap else said.text, calls=tuple(call for call, _ in kept))
+            text = "" if gap else said.text
+            yield replace(said, text=text, calls=tuple(call for call, _ in kept)), all(answer.ok for _, answer in kept)
         for call, answer in kept:
-            yield Message("tool", answer.text, call_id=call.id)
+            yield Message("tool", answer.text, call_id=call.id), True
 
-    def _kept(self, said: Message, answers: list[Answered]) -> list[tuple[ToolCall, Answered]]:
+    def _kept(self, calls: Iterable[ToolCall], answers: Iterable[Answered]) -> list[tuple[ToolCall, Answered]]:
         kept: list[tuple[ToolCall, Answered]] = []
-        for call, answer in zip(said.calls, answers, strict=False):
-            stays = answer.ok or (self._refused and not _rules(answer) & _MALFORMED)
-            if stays and (taught := call_taught(call)) is not None:
-                taught = replace(taught, id=f"t{self._number:04d}c{len(kept) + 1:03d}")
-                kept.append((taught, answer))
-                if not answer.ok:
-                    self._not_learnt.add(taught.id)
+        for call, answer in zip(calls, answers, strict=False):
+            stays = answer.ok or (self._slips and not _rules(answer) & _MALFORMED)
+            if stays and (taught := call_taught(call, self._library)) is not None:
+                kept.append((replace(taught, id=f"t{self._number:04d}c{len(kept) + 1:03d}"), answer))
         return kept
 
-    def plain(self, message: Message) -> dict[str, Any]:
-        """A message as chat endpoints take it."""
-        if message.speaker == "tool":
-            return {"role": "tool", "tool_call_id": message.call_id, "content": message.text}
-        if message.speaker != "assistant":
-            return {"role": message.speaker, "content": message.text}
-        made: dict[str, Any] = {"role": "assistant", "content": message.text or None}
-        if message.calls:
-            made["tool_calls"] = [
-                {"id": call.id, "type": "function", "function": {"name": call.name, "arguments": call.arguments}}
-                for call in message.calls
-            ]
-        if message.finish == "length" or any(call.id in self._not_learnt for call in message.calls):
-            made["weight"] = 0
-        return made
+
+def _is_reminder(message: Message) -> bool:
+    return message.speaker == "user" and message.text.startswith(_REMINDER)
 
 
 def _rules(answer: Answered) -> set[str]:
@@ -110,3 +110,23 @@ def _rules(answer: Answered) -> set[str]:
         return {str(refused["rule"]) for refused in json.loads(answer.text)["refused"]}
     except (ValueError, KeyError, TypeError, RecursionError):
         return _MALFORMED
+
+
+def _put(made: list[dict[str, Any]], message: dict[str, Any]) -> None:
+    """Put a message behind the others; the user speaks once at a time."""
+    if made and made[-1]["role"] == message["role"] == "user":
+        made[-1]["content"] += f"\n\n{message['content']}"
+    else:
+        made.append(message)
+
+
+def _plain(message: Message) -> dict[str, Any]:
+    if message.speaker == "tool":
+        return {"role": "tool", "tool_call_id": message.call_id, "content": message.text}
+    if message.speaker != "assistant":
+        return {"role": message.speaker, "content": message.text}
+    calls = [
+        {"id": call.id, "type": "function", "function": {"name": call.name, "arguments": call.arguments}}
+        for call in message.calls
+    ]
+    return {"role": "assistant", "content": message.text or None} | ({"tool_calls": calls} if calls else {})

@@ -15,6 +15,8 @@ from missiontree.authoring.tools import TOOLS, TreeFunction
 from missiontree.llm.chat import Tool
 
 _BEFORE_THE_TREE = frozenset({"HierarchicalTree_init", "listRoutines", "declareImpossible", "declareUnclear"})
+_NOT_OFFERED = frozenset({"CreateAndAddSubtask", "plotTree"})
+"""Not worth their tokens at every turn: ``addMultiSubtasks`` adds one task as well, and a picture is for people. They can be called."""
 Schema = dict[str, Any]
 
 
@@ -23,10 +25,10 @@ def offered_tools(builder: TreeBuilder) -> tuple[Tool, ...]:
     The tools of this turn: those that can do something.
 
     Before there is a tree it can only be begun, or declined. What takes something away is offered once there is something to take.
-    A picture is for people: a model that asks for it gets it, and it is not offered one.
+    Every other function can be called as well; see ``_NOT_OFFERED``.
     """
     tree = builder.tree
-    useless = {"HierarchicalTree_init", "plotTree"}
+    useless = {"HierarchicalTree_init", *_NOT_OFFERED}
     if tree is not None and len(tree.nodes) == 1:
         useless |= {"removeSubtask", "setLink"}
     if tree is not None and not tree.links:

@@ -10,20 +10,15 @@ from typing import Any
 from missiontree.authoring.answer import RefusalError
 from missiontree.authoring.links import Pair, name_of_kind
 from missiontree.authoring.schema import schema_of
-from missiontree.authoring.shapes import CALLS, GATE, KIND, PAIRS
+from missiontree.authoring.shapes import GATE, KIND, PAIRS
 from missiontree.authoring.tools import BY_NAME, TOOLS, Parameter, read_arguments
 from missiontree.authoring.wire import parse_arguments
 from missiontree.llm.chat import ToolCall
+from missiontree.mission.routine import Routine, RoutineLibrary
 
 _NAMES = {"type": "array", "items": {"type": "string"}, "minItems": 1}
-_ARGUMENT = {"anyOf": [{"type": "string"}, _NAMES]}
-_ONE_CALL = {
-    "anyOf": [
-        {"type": "array", "items": _ARGUMENT, "minItems": 1},
-        {"type": "object", "additionalProperties": _ARGUMENT},
-    ]
-}
-_OF_ANY_MISSION = {"treeArguments": {"type": "array", "items": _ONE_CALL, "minItems": 1}}
+_IN_ORDER = {"type": "array", "items": {"anyOf": [{"type": "string"}, _NAMES]}, "minItems": 1}
+_OF_ANY_MISSION = {"treeArguments": {"type": "array", "items": _IN_ORDER, "minItems": 1}}
 
 
 def tools_taught() -> list[dict[str, Any]]:
@@ -46,11 +41,19 @@ def tools_taught() -> list[dict[str, Any]]:
     ]
 
 
-def call_taught(call: ToolCall) -> ToolCall | None:
+def call_taught(call: ToolCall, library: RoutineLibrary) -> ToolCall | None:
     """
     A call as it should be written.
 
-    Other spellings that are accepted, such as ``contraintsPairs``, ``"and"`` or ``{}`` for no pairs, become the schema's own.
+    Other spellings that are accepted, such as ``contraintsPairs``, ``"and"``, ``{}`` for no pairs or arguments of a routine by name, become
+    those that the schema has.
+
+    Parameters
+    ----------
+    call
+        The call as the model wrote it.
+    library
+        The routines on offer.
 
     Returns
     -------
@@ -67,9 +70,14 @@ def call_taught(call: ToolCall) -> ToolCall | None:
         return None
     written = {}
     for known in tool.parameters:
-        spelling = next((name for name in (known.name, *known.also) if name in parsed), None)
-        if spelling is not None:
+        if known.name in read:
+            spelling = next(name for name in (known.name, *known.also) if name in parsed)
             written[known.name] = _written(known, parsed[spelling], read[known.name])
+    if "treeArguments" in written:
+        if len(read["treeNames"]) != len(written["treeArguments"]):
+            return None
+        named = zip(read["treeNames"], written["treeArguments"], strict=True)
+        written["treeArguments"] = [_in_order(given, library.find(name)) for name, given in named]
     return replace(call, arguments=json.dumps(written, ensure_ascii=False))
 
 
@@ -81,8 +89,6 @@ def _written(known: Parameter, said: Any, read: Any) -> Any:
         return name_of_kind(read)
     if known.shape is PAIRS:
         return [_pair(pair) for pair in read]
-    if known.shape is CALLS:
-        return [_without_nulls(entry) for entry in said]
     return said
 
 
@@ -91,8 +97,9 @@ def _pair(pair: Pair) -> Sequence[str | int]:
     return [first, second] if kind == "precedence" else [first, second, name_of_kind(kind)]
 
 
-def _without_nulls(arguments: Any) -> Any:
-    """The arguments of a routine; a null stands for resources that are left out."""
-    if isinstance(arguments, dict):
-        return {name: value for name, value in arguments.items() if value is not None}
-    return [value for value in arguments if value is not None] if isinstance(arguments, list) else arguments
+def _in_order(given: Any, routine: Routine | None) -> Any:
+    """The arguments of a routine in its order, the robot types allowed last; a null stands for types that are left out."""
+    if isinstance(given, dict):
+        names = [argument.name for argument in routine.arguments] if routine is not None else list(given)
+        given = [given[name] for name in (*names, "resources") if name in given]
+    return [value for value in given if value is not None] if isinstance(given, list) else given

@@ -128,8 +128,8 @@ TOOLS: tuple[TreeFunction, ...] = (
             Parameter(
                 "treeArguments",
                 CALLS,
-                "Per routine its arguments, entities by name: a list in order, or an object by argument. Either may end in resources: "
-                "a list of robot types, no others may do it.",
+                "Per routine a list: its arguments in order, entities by name, then, if only some may do it, a list of robot types: "
+                '["gravel", "road", ["dumper"]].',
             ),
             _GATE,
             _PAIRS,
@@ -184,17 +184,17 @@ TOOLS: tuple[TreeFunction, ...] = (
     ),
     TreeFunction(
         "declareImpossible",
-        "Say that the mission cannot be done: a capability is missing or a limit too low. Ends the dialogue.",
+        "Say that the mission cannot be done: a capability, robot or thing is missing, or a limit or zone forbids it. Ends the dialogue.",
         (
-            Parameter("missing", TEXT, "The capability or limit that is missing."),
+            Parameter("missing", TEXT, "What is missing, by its name: carry, payload_kg."),
             Parameter("reason", TEXT, "Why the mission needs it."),
         ),
         lambda builder, given: builder.declare_impossible(given["missing"], given["reason"]),
     ),
     TreeFunction(
         "declareUnclear",
-        "Say that the mission may mean several things, or has what no tree holds: a condition, a clock time, a way not to take. Ends the "
-        "dialogue.",
+        "Say that the mission may mean several things, or has what no tree holds: a condition, a clock time, a way not to take, what only "
+        "measuring could tell. Ends the dialogue.",
         (
             Parameter("words", TEXT, "The words in question, as the mission has them."),
             Parameter("question", TEXT, "What the operator should say."),
