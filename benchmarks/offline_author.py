@@ -20,11 +20,10 @@ from missiontree.authoring.outcome import Authored
 from missiontree.briefing import Request
 from missiontree.errors import InputError
 from missiontree.evaluation.draw import set_aside
-from missiontree.evaluation.expected import Group
-from missiontree.evaluation.structure import Structure, structure_of_tree
 from missiontree.evaluation.suite import Setting, Suite, load_suite
 from missiontree.evaluation.suite_file import SuiteMission
 from missiontree.evaluation.tally import Tally, tally
+from missiontree.evaluation.told import told
 from missiontree.evaluation.verdict import Verdict, judge
 from missiontree.formats.json_text import json_text
 from missiontree.formats.plain import to_plain
@@ -82,45 +81,24 @@ def _row(name: str, numbers: Tally) -> str:
 def miss(one: Judged) -> str:
     """A miss as a block of text."""
     lines = [f"{one.mission.id}: {one.verdict.kind.replace('_', ' ')}", f"  words: {one.mission.say}"]
-    lines += [f"  expected: {text}" for text in wanted(one.mission)]
+    lines += [f"  expected: {text}" for text in one.mission.wanted]
     lines.append(f"  got: {got(one)}")
     lines += [f"  difference: {text}" for text in one.verdict.differences]
     lines += [f"  reason: {reason.rule}: {reason.message}" for reason in one.authored.reasons]
     return "\n".join(lines)
 
 
-def wanted(mission: SuiteMission) -> list[str]:
-    """What is right for a mission, in words."""
-    if mission.declined is not None:
-        return [f"declined as {mission.declined}, because of {mission.because!r}"]
-    return [str(expected) for expected in mission.expected]
-
-
 def got(one: Judged) -> str:
     """What the author made, in the notation of suites."""
     if one.authored.status != "complete" or one.authored.tree is None:
         return one.authored.status
-    made = structure_of_tree(one.authored.tree, one.brief)
-    everybody = frozenset(one.brief.fleet.by_id)
-    members = made.shape.members if isinstance(made.shape, Group) and made.shape.gate == "and" else (made.shape,)
-    plan = "; ".join(_shown(member, made, everybody) for member in members)
-    order = [
-        f"{a + 1} {sign} {b + 1}" for sign, pairs in (("<", made.before), ("~", made.until)) for a, b in sorted(pairs)
-    ]
-    return f"{plan} | {', '.join(order)}" if order else plan
-
-
-def _shown(shape: Group | int, made: Structure, everybody: frozenset[str]) -> str:
-    if isinstance(shape, int):
-        leaf = made.leaves[shape]
-        return f"{leaf} by {', '.join(sorted(leaf.types))}" if leaf.types != everybody else str(leaf)
-    return f"{shape.gate}({'; '.join(_shown(member, made, everybody) for member in shape.members)})"
+    return told(one.authored.tree, one.brief)
 
 
 def record(one: Judged) -> dict[str, object]:
     """A mission and its verdict as plain data."""
     reasons = [to_plain(reason) for reason in one.authored.reasons]
-    told = {"setting": one.setting.id, "words": one.mission.say, "expected": wanted(one.mission), "got": got(one)}
+    told = {"setting": one.setting.id, "words": one.mission.say, "expected": list(one.mission.wanted), "got": got(one)}
     return {**to_plain(one.verdict), **told, "reasons": reasons}
 
 

@@ -29,6 +29,7 @@ def test_nested_routines_are_numbered_as_they_are_written() -> None:
         ([{}], (), "does not make a group"),
         ([["Reach(A)", "Reach(B)"]], (), "a list stands in a list"),
         (["Reach(A)"], ("1 < 2",), "'1 < 2' names routine 2; the plan has 1"),
+        (["Transport(A, *)"], (), "'Transport(A, *)' leaves an argument open"),
         (["Reach(A)", "Reach(B)"], ("1 < 2", "1 < 2"), "stands twice"),
         (["Reach(A)", "Reach(B)"], ("1 < 2", "1<2"), "'1<2' stands twice"),
         (["Reach(A)", "Reach(B)", "Reach(C)"], ("1 < 2", "2 < 3", "3 < 1"), "contradicts"),

@@ -54,15 +54,16 @@ def _least(found: Iterator[tuple[str, ...]]) -> tuple[str, ...]:
 
 
 def _compared(wanted: Structure, got: Structure, pairs: dict[str, Words]) -> tuple[str, ...]:
-    want_keys = [_key(leaf, None) for leaf in wanted.leaves]
-    got_keys = [_key(leaf, pairs) for leaf in got.leaves]
+    want_keys = [leaf_key(leaf, None) for leaf in wanted.leaves]
+    got_keys = [leaf_key(leaf, pairs) for leaf in got.leaves]
     if Counter(want_keys) != Counter(got_keys):
         return tuple(_leaf_differences(wanted, got, want_keys, got_keys))
     ways = islice(_assignments(wanted, got, want_keys, got_keys), _MOST_ASSIGNMENTS)
     return _least(tuple(_under(wanted, got, way)) for way in ways)
 
 
-def _key(leaf: Leaf, pairs: dict[str, Words] | None) -> Key:
+def leaf_key(leaf: Leaf, pairs: dict[str, Words] | None) -> Key:
+    """What makes leaves equal, robot types aside: the routine and its arguments, in the suite's words where ``pairs`` gives them."""
     return leaf.routine, tuple(_name_key(name, pairs) for name in leaf.arguments)
 
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Any
 
-from missiontree.evaluation.closure import closure
-from missiontree.evaluation.notation import Order, PlannedCall, call_from, order_from
+from missiontree.evaluation.notation import ANYTHING, Order, PlannedCall, call_from, order_from
+from missiontree.evaluation.ordering import check_order
 from missiontree.mission.frozen_map import FrozenMap
 from missiontree.mission.tree import Gate
 from missiontree.mission.value import Value
@@ -62,21 +62,10 @@ class Expected(Value):
         object.__setattr__(self, "plan", _frozen(self.plan, 0))
         if not self.plan:
             raise ValueError("a plan has at least one routine.")
-        count = len(self.calls)
-        for text, order in zip(self.order, self.relations, strict=True):
-            for number in (order.first, order.second):
-                if number > count:
-                    raise ValueError(f"{text!r} names routine {number}; the plan has {count}.")
-        if len(set(self.relations)) < len(self.relations):
-            relations = self.relations
-            twice = next(text for place, text in enumerate(self.order) if relations[place] in relations[:place])
-            raise ValueError(f"{twice!r} stands twice.")
-        before = closure({(order.first, order.second) for order in self.relations if order.relation == "<"})
-        for text, order in zip(self.order, self.relations, strict=True):
-            if order.relation == "<" and (order.second, order.first) in before:
-                raise ValueError(
-                    f"{text!r} contradicts the rest of the order, which puts {order.second} before {order.first}."
-                )
+        check_order(self.order, self.relations, len(self.calls))
+        for text, call in zip(self.texts, self.calls, strict=True):
+            if ANYTHING in call.arguments:
+                raise ValueError(f"{text!r} leaves an argument open; '*' is for must and must_not.")
 
     @cached_property
     def calls(self) -> tuple[PlannedCall, ...]:

@@ -12,20 +12,22 @@ Relation = Literal["<", "~"]
 _CALL = re.compile(r"\s*([A-Za-z][A-Za-z0-9_-]*)\s*\(([^()]*)\)(?:\s+(not\s+by|by)\s+(.*\S))?\s*")
 _TYPES = re.compile(r"\s*,\s*")
 _ORDER = re.compile(r"\s*([0-9]{1,4})\s*([<~])\s*([0-9]{1,4})\s*")
+ANYTHING = "*"
+"""Stands for an argument of which nothing is said."""
 _IN_BRACKETS = "within square brackets a call with a comma needs quotes"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedCall(Value):
     """
-    One routine of an expected plan.
+    One routine of an expected plan, or one that must or must not be in it.
 
     Parameters
     ----------
     routine
         Its id.
     arguments
-        What it is about, by name, in the routine's order.
+        What it is about, by name, in the routine's order; ``*`` where that is left open.
     by
         Robot types that alone may do it; None means no such restriction.
     not_by

@@ -68,6 +68,10 @@ class Structure:
         The first lasts until the second ends; only the latest ends, and only of leaves that have no end of their own.
     same_robot, different_robot
         Leaves that are bound to one robot, or to different ones, each pair in both directions.
+    linked
+        ``before`` as it is written, leaf by leaf: without what follows, and before choices are looked at.
+    lasting
+        ``until`` as it is written, of leaves that have no end of their own.
     """
 
     leaves: tuple[Leaf, ...]
@@ -76,6 +80,13 @@ class Structure:
     until: Pairs
     same_robot: Pairs = frozenset()
     different_robot: Pairs = frozenset()
+    linked: Pairs = frozenset()
+    lasting: Pairs = frozenset()
+
+    def within(self, leaves: frozenset[int]) -> tuple[Pairs, Pairs]:
+        """``before`` and ``until`` if only these leaves are done; what follows by way of others does not bind them."""
+        closed = closure({pair for pair in self.linked if leaves.issuperset(pair)})
+        return frozenset(closed), _latest({pair for pair in self.lasting if leaves.issuperset(pair)}, closed)
 
 
 def structure_of_expected(expected: Expected, brief: MissionBrief) -> Structure:
@@ -119,11 +130,26 @@ def _structure(
     *bound: Pairs,
 ) -> Structure:
     flat = _flat(shape)
-    apart = frozenset(_excluding(flat))
+    apart = excluding(flat)
     closed = closure(before)
     open_ended = {(a, b) for a, b in until if _has_no_end(leaves[a], brief)}
-    latest = {(a, b) for a, b in open_ended if not any((a, c) in open_ended for x, c in closed if x == b)}
-    return Structure(leaves, flat, frozenset(closed - apart), frozenset(latest - apart), *bound)
+    latest = _latest(open_ended, closed)
+    same, different = bound or (frozenset(), frozenset())
+    return Structure(
+        leaves,
+        flat,
+        before=frozenset(closed - apart),
+        until=latest - apart,
+        same_robot=same,
+        different_robot=different,
+        linked=frozenset(before),
+        lasting=frozenset(open_ended),
+    )
+
+
+def _latest(lasting: set[tuple[int, int]], before: set[tuple[int, int]]) -> Pairs:
+    """Of several ends that one leaf lasts until, the latest."""
+    return frozenset((a, b) for a, b in lasting if not any((a, c) in lasting for x, c in before if x == b))
 
 
 def _leaf(node: MissionNode, tree: MissionTree, brief: MissionBrief) -> Leaf:
@@ -188,8 +214,12 @@ def _flat(shape: Group | int) -> Group | int:
     return members[0] if len(members) == 1 else Group(shape.gate, tuple(members))
 
 
+def excluding(shape: Group | int) -> Pairs:
+    """Pairs of leaves of which a choice takes one at most, in both directions."""
+    return frozenset(_excluding(shape))
+
+
 def _excluding(shape: Group | int) -> Iterator[tuple[int, int]]:
-    """Pairs of leaves of which a choice takes one at most."""
     if isinstance(shape, int):
         return
     for member in shape.members:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 from missiontree.errors import InputError
 from missiontree.evaluation.misfit import misfit
 from missiontree.evaluation.suite_file import SuiteFile, SuiteMission
 from missiontree.formats.blame import culprit
+from missiontree.formats.digest import digest
 from missiontree.formats.document import read_as, read_file
 from missiontree.formats.reader import parse
 from missiontree.formats.source import load_text
@@ -39,6 +41,8 @@ class Setting(Value):
         Routines on offer, the built-in ones included.
     scene
         The world; None if the missions are planned without one.
+    fleets, scenes
+        Teams and worlds of single missions, by the path that the mission names.
     missions
         The missions.
     """
@@ -47,17 +51,44 @@ class Setting(Value):
     fleet: Fleet
     routines: RoutineLibrary
     scene: Scene | None = None
+    fleets: Mapping[str, Fleet] = field(default_factory=dict)
+    scenes: Mapping[str, Scene] = field(default_factory=dict)
     missions: tuple[SuiteMission, ...]
 
     def _check(self) -> None:
         require_unique("mission", tuple(mission.id for mission in self.missions))
         for mission in self.missions:
-            if found := misfit(mission, self.fleet, self.routines, self.scene):
+            for path, known in ((mission.fleet, self.fleets), (mission.scene, self.scenes)):
+                if path is not None and path not in known:
+                    raise ValueError(f"mission {mission.id!r} names {path!r}, which is not given.")
+            fleet, scene = self.world_of(mission)
+            if found := misfit(mission, fleet, self.routines, scene):
                 raise ValueError(found)
+
+    def world_of(self, mission: SuiteMission) -> tuple[Fleet, Scene | None]:
+        """The team and the scene of a mission: its own, else the setting's."""
+        fleet = self.fleet if mission.fleet is None else self.fleets[mission.fleet]
+        return fleet, self.scene if mission.scene is None else self.scenes[mission.scene]
 
     def brief(self, mission: SuiteMission) -> MissionBrief:
         """What an author is given for a mission."""
-        return MissionBrief(text=mission.say, fleet=self.fleet, routines=self.routines, scene=self.scene)
+        fleet, scene = self.world_of(mission)
+        return MissionBrief(text=mission.say, fleet=fleet, routines=self.routines, scene=scene)
+
+    def digest(self, mission: SuiteMission, whole: bool = False) -> str:
+        """
+        SHA-256 of all that a verdict on the mission depends on: words, expectations, fleet, scene, routines; not its note.
+
+        Parameters
+        ----------
+        mission
+            The mission.
+        whole
+            Whether trees are planned to their end before they are judged.
+        """
+        fleet, scene = self.world_of(mission)
+        given = {"mission": replace(mission, note=""), "fleet": fleet, "scene": scene, "routines": self.routines}
+        return digest({**given, "whole": whole})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,6 +109,18 @@ class Suite(Value):
             raise ValueError("a suite needs at least one setting.")
         require_unique("setting", tuple(setting.id for setting in self.settings))
         require_unique("mission", tuple(mission.id for _, mission in self.missions()))
+        for _, mission in self.missions():
+            if found := self.misses_twin(mission):
+                raise ValueError(found)
+
+    def misses_twin(self, mission: SuiteMission) -> str:
+        """Why the twin that a mission names is none, in words; empty if it names none, or a right one."""
+        if mission.twin is None:
+            return ""
+        twin = next((other for _, other in self.missions() if other.id == mission.twin), None)
+        if twin is None:
+            return f"mission {mission.id!r} has no twin {mission.twin!r}; the suite has no such mission."
+        return f"mission {mission.id!r} has the twin {twin.id!r}; that is to be declined, too." if twin.declined else ""
 
     def missions(self) -> Iterator[tuple[Setting, SuiteMission]]:
         """Every mission with its setting, in order."""
@@ -117,6 +160,7 @@ def load_suite(folder: Path) -> Suite:
         raise InputError("there is no setting in this folder", file=str(folder), accepted=f"folders with a {MISSIONS}")
     settings: list[Setting] = []
     origin: dict[str, str] = {}
+    places: list[tuple[Path, int]] = []
     for path in files:
         setting = _setting(path)
         for name in (f"setting {setting.id!r}", *(f"mission {mission.id!r}" for mission in setting.missions)):
@@ -124,7 +168,18 @@ def load_suite(folder: Path) -> Suite:
                 raise _refusal(f"{name} stands twice", path, hint=f"{origin[name]} has it too.")
             origin[name] = str(path)
         settings.append(setting)
-    return Suite(settings=tuple(settings))
+        places += [(path, index) for index in range(len(setting.missions))]
+    return _suite(settings, places)
+
+
+def _suite(settings: Sequence[Setting], places: Sequence[tuple[Path, int]]) -> Suite:
+    """The settings as a suite; a twin that is none is refused at the file and place of its mission."""
+    try:
+        return Suite(settings=tuple(settings))
+    except ValueError as error:
+        missions = [mission.id for setting in settings for mission in setting.missions]
+        place = next(place for place, name in zip(places, missions, strict=True) if f"mission {name!r}" in str(error))
+        raise _refusal(str(error), *place) from error
 
 
 def _setting(path: Path) -> Setting:
@@ -132,15 +187,35 @@ def _setting(path: Path) -> Setting:
     fleet: Fleet = read_file(path.parent / file.fleet if file.fleet else FOLDER / "fleet.yaml", "fleet")
     scene: Scene | None = read_file(path.parent / file.scene, "scene") if file.scene else None
     routines = load([path.parent / name for name in file.routines])
+    fleets = _own(path, [mission.fleet for mission in file.missions], "fleet")
+    scenes = _own(path, [mission.scene for mission in file.missions], "scene")
     for index, mission in enumerate(file.missions):
-        if found := misfit(mission, fleet, routines, scene):
+        own_fleet = fleet if mission.fleet is None else fleets[mission.fleet]
+        own_scene = scene if mission.scene is None else scenes[mission.scene]
+        if found := misfit(mission, own_fleet, routines, own_scene):
             raise _refusal(found, path, index)
-    try:
-        setting = Setting(id=file.setting, fleet=fleet, routines=routines, scene=scene, missions=file.missions)
-        setting.brief(file.missions[0])
-    except ValueError as error:
-        raise InputError(str(error), file=str(path), hint="Fleet, scene and routines do not fit together.") from error
+    setting = Setting(
+        id=file.setting,
+        fleet=fleet,
+        routines=routines,
+        scene=scene,
+        fleets=fleets,
+        scenes=scenes,
+        missions=file.missions,
+    )
+    worlds = {(mission.fleet, mission.scene): mission for mission in file.missions}
+    for mission in worlds.values():
+        try:
+            setting.brief(mission)
+        except ValueError as error:
+            hint = f"Fleet, scene and routines of {mission.id} do not fit together."
+            raise InputError(str(error), file=str(path), hint=hint) from error
     return setting
+
+
+def _own(path: Path, names: Sequence[str | None], kind: str) -> dict[str, Any]:
+    """Fleets or scenes of single missions, by the path that is written."""
+    return {name: read_file(path.parent / name, kind) for name in dict.fromkeys(names) if name is not None}
 
 
 def _refusal(message: str, file: Path, index: int | None = None, hint: str = "") -> InputError:

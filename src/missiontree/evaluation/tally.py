@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Protocol
 
-from missiontree.evaluation.verdict import VERDICTS, Verdict
+from missiontree.evaluation.verdict import VERDICTS, VerdictKind
 from missiontree.mission.value import Index, Value
 
 
@@ -17,7 +18,7 @@ class Tally(Value):
 
     Parameters
     ----------
-    right, declined_though_possible, wrong_decline, wrong
+    right, declined_though_possible, wrong_decline, wrong, no_answer
         See :class:`~missiontree.evaluation.verdict.Verdict`.
     """
 
@@ -25,14 +26,24 @@ class Tally(Value):
     declined_though_possible: Index = 0
     wrong_decline: Index = 0
     wrong: Index = 0
+    no_answer: Index = 0
 
     @property
     def missions(self) -> int:
         """All of them."""
-        return self.right + self.declined_though_possible + self.wrong_decline + self.wrong
+        return self.right + self.declined_though_possible + self.wrong_decline + self.wrong + self.no_answer
 
 
-def tally(verdicts: Iterable[Verdict]) -> Tally:
+class Judged(Protocol):
+    """Anything with a verdict's kind."""
+
+    @property
+    def kind(self) -> VerdictKind:
+        """The kind."""
+        ...
+
+
+def tally(verdicts: Iterable[Judged]) -> Tally:
     """Count verdicts."""
     counted = Counter(verdict.kind for verdict in verdicts)
     return Tally(**{kind: counted[kind] for kind in VERDICTS})

@@ -7,15 +7,20 @@ from typing import Literal, get_args
 
 from missiontree.authoring.outcome import Authored, AuthoringStatus
 from missiontree.evaluation.differences import differences
+from missiontree.evaluation.holding import held
 from missiontree.evaluation.names import words_of
-from missiontree.evaluation.suite_file import SuiteMission
+from missiontree.evaluation.score import score
+from missiontree.evaluation.suite_file import Decline, SuiteMission
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
-from missiontree.mission.value import Id, Value
+from missiontree.mission.tree import MissionTree
+from missiontree.mission.value import Id, NonNegative, Value
 
-VerdictKind = Literal["right", "declined_though_possible", "wrong_decline", "wrong"]
+VerdictKind = Literal["right", "declined_though_possible", "wrong_decline", "wrong", "no_answer"]
 VERDICTS: tuple[VerdictKind, ...] = get_args(VerdictKind)
 _RIGHT_STATUS: dict[str, AuthoringStatus] = {"impossible": "cannot_be_done", "unclear": "incomplete"}
+_NO_ANSWERS: tuple[AuthoringStatus, ...] = ("exhausted", "provider_failed")
 _ENDINGS = ("ing", "ed", "es", "s", "e")
 
 
@@ -31,9 +36,12 @@ class Verdict(Value):
     kind
         ``right``. ``declined_though_possible``: a plan was expected, and there is none. ``wrong_decline``: it was to be declined and
         was, for another reason than the right one. ``wrong``: there is a plan, and another or none was expected; whatever the plan
-        remarks, it would be carried out.
+        remarks, it would be carried out. ``no_answer``: a budget ran out, or the model could not be used.
     status
-        What authoring came to.
+        What authoring came to, or planning the whole if that went on.
+    score
+        How near it came to what is right, from 0 to 1. A plan: see :func:`missiontree.evaluation.score.score`; against loose
+        expectations the share of them that hold. Where there is no plan, or none was to be made: 1 if that is right, else 0.
     differences
         Why it is not right, in words; empty if it is.
     reason_named
@@ -43,15 +51,27 @@ class Verdict(Value):
     mission: Id
     kind: VerdictKind
     status: AuthoringStatus
+    score: NonNegative
     differences: tuple[str, ...] = ()
     reason_named: bool = True
 
     def _check(self) -> None:
         if (self.kind == "right") != (not self.differences):
             raise ValueError(f"the verdict on {self.mission!r} needs differences exactly if it is not right.")
+        if self.score > 1:
+            raise ValueError(f"score must be at most 1, got {self.score}.")
 
 
-def judge(mission: SuiteMission, authored: Authored, brief: MissionBrief) -> Verdict:
+@dataclass(frozen=True, slots=True)
+class _CameTo:
+    """What an author, and planning after it if that was done, came to."""
+
+    status: AuthoringStatus
+    reasons: tuple[Reason, ...]
+    tree: MissionTree | None
+
+
+def judge(mission: SuiteMission, authored: Authored, brief: MissionBrief, plan: Plan | None = None) -> Verdict:
     """
     The verdict on a mission.
 
@@ -63,39 +83,73 @@ def judge(mission: SuiteMission, authored: Authored, brief: MissionBrief) -> Ver
         What the author made of it.
     brief
         What the author was given.
+    plan
+        What planning its tree to the end came to. Default: the tree alone is judged.
     """
-    if mission.declined is None:
-        return _on_plan(mission, authored, brief)
-    return _on_decline(mission, authored)
+    came_to = _CameTo(authored.status, authored.reasons, authored.tree)
+    if plan is not None and authored.status == "complete" and plan.outcome != "delivered":
+        came_to = _CameTo(plan.outcome, plan.reasons, authored.tree)
+    if came_to.status in _NO_ANSWERS:
+        why = (f"there is no answer; it came to {came_to.status}",)
+        named = mission.declined is None
+        return Verdict(
+            mission=mission.id,
+            kind="no_answer",
+            status=came_to.status,
+            score=0,
+            differences=why,
+            reason_named=named,
+        )
+    if mission.declined is not None:
+        return _on_decline(mission, mission.declined, came_to)
+    return _on_plan(mission, came_to, brief, whole=plan is not None and authored.status == "complete")
 
 
-def _on_plan(mission: SuiteMission, authored: Authored, brief: MissionBrief) -> Verdict:
-    if authored.status != "complete" or authored.tree is None:
-        why = (f"a plan was expected; authoring came to {authored.status}",)
-        return Verdict(mission=mission.id, kind="declined_though_possible", status=authored.status, differences=why)
-    tree = authored.tree
-    found = min((differences(expected, tree, brief) for expected in mission.expected), key=len)
-    return Verdict(mission=mission.id, kind="wrong" if found else "right", status="complete", differences=found)
+def _on_plan(mission: SuiteMission, came_to: _CameTo, brief: MissionBrief, whole: bool) -> Verdict:
+    status: AuthoringStatus = "cannot_be_done" if whole and mission.outcome == "cannot_be_done" else "complete"
+    kind: VerdictKind = "wrong"
+    if came_to.tree is None or came_to.status not in {"complete", status}:
+        stage = "planning" if whole else "authoring"
+        why: tuple[str, ...] = (f"a plan was expected; {stage} came to {came_to.status}",)
+        kind, near = "declined_though_possible", 0.0
+    else:
+        why, near = _on_tree(mission, came_to.tree, brief)
+        if came_to.status != status:
+            why = (*why, "the mission cannot be done as planned; the plan was delivered")
+    return Verdict(
+        mission=mission.id, kind=kind if why else "right", status=came_to.status, score=near, differences=why
+    )
 
 
-def _on_decline(mission: SuiteMission, authored: Authored) -> Verdict:
-    assert mission.declined is not None, "a mission without a plan is to be declined"
-    right, named = _RIGHT_STATUS[mission.declined], _is_named(mission.because, authored.reasons)
+def _on_tree(mission: SuiteMission, tree: MissionTree, brief: MissionBrief) -> tuple[tuple[str, ...], float]:
+    """In what a tree differs, and how near it comes."""
+    if tree.open_leaves:
+        return tuple(f"unfinished: {node.label}" for node in tree.open_leaves), 0.0
+    if mission.loose is not None:
+        found = held(mission.loose, tree, brief)
+        return found.broken, found.share
+    differing = min((differences(expected, tree, brief) for expected in mission.expected), key=len)
+    return differing, max(score(expected, tree, brief) for expected in mission.expected) if differing else 1.0
+
+
+def _on_decline(mission: SuiteMission, declined: Decline, came_to: _CameTo) -> Verdict:
+    right, named = _RIGHT_STATUS[declined], _is_named(mission.because, came_to.reasons)
     why: tuple[str, ...] = ()
     kind: VerdictKind = "wrong_decline"
-    if authored.status == "complete":
+    if came_to.status == "complete":
         kind, why = (
             "wrong",
-            (f"it should be declined as {mission.declined}, because of {mission.because!r}; there is a plan",),
+            (f"it should be declined as {declined}, because of {mission.because!r}; there is a plan",),
         )
-    elif authored.status != right:
-        why = (f"it should be declined as {mission.declined} ({right}); authoring came to {authored.status}",)
-    elif mission.declined == "impossible" and not _is_missing(mission.because, authored.reasons):
+    elif came_to.status != right:
+        why = (f"it should be declined as {declined} ({right}); authoring came to {came_to.status}",)
+    elif declined == "impossible" and not _is_missing(mission.because, came_to.reasons):
         why = (f"no reason says that {mission.because!r} is missing",)
     return Verdict(
         mission=mission.id,
         kind=kind if why else "right",
-        status=authored.status,
+        status=came_to.status,
+        score=0 if why else 1,
         differences=why,
         reason_named=named,
     )
@@ -115,8 +169,9 @@ def _is_named(because: str, reasons: tuple[Reason, ...]) -> bool:
 
 
 def _says(text: str, wanted: str) -> bool:
-    """Whether all words of the one stand in the other, endings aside."""
-    return {_stem(word) for word in words_of(wanted)} <= {_stem(word) for word in words_of(text)}
+    """Whether all words between two ``|`` of the one stand in the other, endings aside."""
+    said = {_stem(word) for word in words_of(text)}
+    return any({_stem(word) for word in words_of(either)} <= said for either in wanted.split("|"))
 
 
 def _stem(word: str) -> str:

@@ -57,7 +57,7 @@ def candidates(verb: Verb, methods: MethodLibrary, routines: RoutineLibrary, lex
 def _of_methods(verb: Verb, library: MethodLibrary, lexicon: Lexicon) -> Iterator[Candidate]:
     shipped = {method.id: method for method in built_in_methods().methods}
     for order, method in enumerate(library.methods):
-        tier = _METHOD if shipped.get(method.id) is method else _OWN_METHOD
+        tier = _METHOD if shipped.get(method.id) == method else _OWN_METHOD
         for form in (form for forms in method.forms for form in forms):
             if _begins(form, verb, lexicon):
                 yield Candidate((tier, -fixed_words(form), order), form, method=method)
