@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from missiontree import __version__
@@ -186,8 +187,7 @@ def author(request: Request, control: Control | None = None, listen: Listener = 
     if request.model == "offline":
         return author_offline(request.brief, load_methods(request.methods))
     if isinstance(request.model, str) and request.model.startswith(RECORDED):
-        file = Path(request.model.removeprefix(RECORDED))
-        return replay(load_text(file).splitlines(), request.brief)
+        return _replayed(Path(request.model.removeprefix(RECORDED)), request)
     methods = load_methods(request.methods)
     company = Company(lambda: author_offline(request.brief, methods), tree_svg, control or Control())
     if not isinstance(request.model, str):
@@ -195,6 +195,13 @@ def author(request: Request, control: Control | None = None, listen: Listener = 
     opened = open_model(request.model, Settings(base_url=request.base_url, listen=listen, memory=usual_path()))
     origin = Origin(opened.source, opened.name, opened.endpoint)
     return author_tree(request.brief, opened.model, request.budgets, origin, company)
+
+
+def _replayed(file: Path, request: Request) -> Authored:
+    try:
+        return replay(load_text(file).splitlines(), request.brief)
+    except InputError as error:
+        raise replace(error, file=str(file)) from error
 
 
 def _handed_in(tree: MissionTree, request: Request) -> Authored:

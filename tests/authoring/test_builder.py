@@ -614,3 +614,30 @@ class TestDeclining:
     @pytest.mark.parametrize("given", [{"missing": "", "reason": "x"}, {"missing": "x", "reason": " "}])
     def test_it_needs_words(self, box: ToolBox, given: dict[str, str]) -> None:
         assert rule(refused(box, "declareImpossible", **given)) == "malformed_arguments"
+
+
+class TestMistakenKinds:
+    """An entity that was introduced as something else than it is can be put right until somebody counts on it."""
+
+    def test_another_kind_replaces_the_first(self, scenic_box: ToolBox) -> None:
+        assert scenic_box.call("introduceEntity", {"name": "Rex", "kind": "person"}).ok
+        answer = scenic_box.call("introduceEntity", {"name": "Rex", "kind": "dog"})
+        assert answer.ok
+        assert [(entity.label, entity.kind) for entity in tree_of(scenic_box).entities] == [("Rex", "dog")]
+
+    def test_the_same_kind_again_says_nothing_new(self, scenic_box: ToolBox) -> None:
+        assert scenic_box.call("introduceEntity", {"name": "Rex", "kind": "dog"}).ok
+        answer = scenic_box.call("introduceEntity", {"name": "rex", "kind": "dog"})
+        assert [reason.rule for reason in answer.reasons] == ["duplicate"]
+
+    def test_what_a_routine_uses_stays_what_it_was_taken_for(self, scenic_box: ToolBox) -> None:
+        assert scenic_box.call("introduceEntity", {"name": "Rex", "kind": "person"}).ok
+        call = {"parentString": "find", "treeNames": ["SearchTree"], "treeArguments": [["Rex"]]}
+        assert scenic_box.call("attachMultiSubTrees", {**call, "LogicalConstraint": "AND"}).ok
+        answer = scenic_box.call("introduceEntity", {"name": "Rex", "kind": "dog"})
+        assert "search-rex" in answer.reasons[0].message
+        assert tree_of(scenic_box).entities[0].kind == "person"
+
+    def test_a_thing_of_the_scene_is_what_the_scene_says(self, scenic_box: ToolBox) -> None:
+        answer = scenic_box.call("introduceEntity", {"name": "child", "kind": "dog"})
+        assert [reason.rule for reason in answer.reasons] == ["duplicate"]

@@ -11,6 +11,7 @@ from missiontree.authoring.prompt import reminder
 from missiontree.authoring.retelling import retold
 from missiontree.llm.chat import Finish, Message, ToolCall
 from missiontree.llm.recording import Answered, Recording
+from missiontree.routines.library import built_in
 
 PRINT, CHECK = ToolCall("a", "printTree", "{}"), ToolCall("b", "checkTree", "{}")
 DONE = Answered("a", True, '{"ok": true}')
@@ -21,7 +22,7 @@ def told(*entries: Message | Answered, slips: bool = False) -> list[dict[str, An
     opening = (Message("system", "Rules."), Message("user", "The mission: x"))
     numbered = tuple((number, entry) for number, entry in enumerate((*opening, *entries), start=2))
     recording = Recording(source="openai", model="m", endpoint="", mission="", entries=numbered, end={})
-    made = retold(recording, slips)
+    made = retold(recording, built_in(), slips)
     assert made[:2] == ({"role": "system", "content": "Rules."}, {"role": "user", "content": "The mission: x"})
     return list(made[2:])
 

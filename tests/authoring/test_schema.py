@@ -86,10 +86,10 @@ def test_a_constrained_model_cannot_name_what_is_not_there(scenic_box: ToolBox) 
 def test_without_a_scene_the_nouns_of_the_mission_are_offered(box: ToolBox) -> None:
     """Of "Reunite mom with her lost child" two words name somebody; once used, they go by their ids."""
     items = schemas(box)["attachMultiSubTrees"]["properties"]["treeArguments"]["items"]
-    assert items["items"]["anyOf"][0]["enum"] == ["mom", "child"]
+    assert items["items"]["anyOf"][0]["enum"] == ["Mom", "Child"]
     box.call("attachMultiSubTrees", attach("Search", ["Child"]))
     items = schemas(box)["attachMultiSubTrees"]["properties"]["treeArguments"]["items"]
-    assert items["items"]["anyOf"][0]["enum"] == ["child", "mom"]
+    assert items["items"]["anyOf"][0]["enum"] == ["child", "Mom"]
 
 
 def test_kinds_of_entities_and_of_links_are_kept_apart(scenic_box: ToolBox) -> None:

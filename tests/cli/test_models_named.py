@@ -80,3 +80,19 @@ def test_a_model_that_there_is_not_is_refused_with_those_there_are(shell: Shell)
     assert ran.code == 2
     assert "there is no model 'gpt-x'" in ran.err
     assert "openai:NAME" in ran.err
+
+
+def test_a_replay_with_other_inputs_is_a_plan_that_says_so(shell: Shell, recorded: str, tmp_path: Path) -> None:
+    people = "entities: [{id: mom, kind: person}, {id: child, kind: person}]\n"
+    (tmp_path / "scene.yaml").write_text(people, encoding="utf-8")
+    ran = shell("plan", REUNITE, "--replay", recorded)
+    assert ran.code == 0, ran.err
+    assert "was recorded with another mission, fleet, scene or set of routines" in " ".join(ran.out.split())
+
+
+def test_a_damaged_recording_is_named_with_its_line(shell: Shell, recorded: str, tmp_path: Path) -> None:
+    lines = (tmp_path / recorded).read_text(encoding="utf-8").splitlines()
+    (tmp_path / recorded).write_text("\n".join([*lines[:2], "{", *lines[3:]]), encoding="utf-8")
+    ran = shell("plan", REUNITE, "--replay", recorded)
+    assert ran.code == 2
+    assert "dialogue.jsonl:3: the line is not JSON" in ran.err

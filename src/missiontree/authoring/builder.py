@@ -27,6 +27,7 @@ from missiontree.authoring.routine_calls import RoutineCall, able_types, form_of
 from missiontree.authoring.views import MOST_SHOWN, named, outline, state_of, told
 from missiontree.authoring.wire import RULE
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.entity import Entity
 from missiontree.mission.frozen_map import FrozenMap
 from missiontree.mission.reason import Reason
 from missiontree.mission.tree import Gate, Link, LinkKind, MissionNode, MissionTree
@@ -195,16 +196,31 @@ class TreeBuilder:
         """Make known somebody or something that the scene does not have; the position is unknown."""
         tree, cast = self._begun(), self.cast
         _check_text(name, "name", MAX_NAME)
+        kinds = known_kinds(cast.scene)
         if (known := cast.find(name)) is not None:
+            if known in tree.entities and kind in kinds and kind != known.kind:
+                return self._taken_for(tree, known, kind)
             message = f"{known.label} is known already, as {known.id} of kind {known.kind}."
             raise refuse("duplicate", message, node=known.id, hint="Use it as it is.")
-        kinds = known_kinds(cast.scene)
         if kind not in kinds:
             hint = f"{did_you_mean(kind, kinds)} Kinds are: {listed(kinds)}.".strip()
             raise refuse("unknown_kind", f"There is no kind {quoted(kind)}.", node=name, hint=hint)
         entity = cast.introduce(name, kind)
         state = replace(self.state, tree=with_entities(tree, [entity]))
         data = {"entity": entity.id, "entities": [known.id for known in cast.everyone]}
+        return self._done(state, data, tuple(cast.assumptions))
+
+    def _taken_for(self, tree: MissionTree, known: Entity, kind: str) -> Answer:
+        """Give an introduced entity another kind, as long as no routine has been attached that took it for what it was."""
+        users = [node.id for node in tree.nodes if known.id in node.arguments.values()]
+        if users:
+            message = f"{known.label} is used as one of kind {known.kind} by {listed(users)}."
+            raise refuse("duplicate", message, node=known.id, hint="Remove that first (removeSubtask).")
+        others = tuple(entity for entity in tree.entities if entity is not known)
+        cast = Cast(self.brief, others)
+        entity = cast.introduce(known.label, kind)
+        state = replace(self.state, tree=replace(tree, entities=(*others, entity)))
+        data = {"entity": entity.id, "entities": [one.id for one in cast.everyone]}
         return self._done(state, data, tuple(cast.assumptions))
 
     @_answering

@@ -82,7 +82,7 @@ def _calls(builder: TreeBuilder) -> Schema:
     agents = [entity.id for entity in builder.cast.everyone]
     if builder.brief.scene is None:
         called = {spelling for entity in builder.cast.everyone for spelling in (entity.id, entity.label.casefold())}
-        agents += [noun for noun in nouns_said(builder.brief.text) if noun not in called]
+        agents += [noun.capitalize() for noun in nouns_said(builder.brief.text) if noun not in called]
     resources = {"type": "array", "items": _one_of(builder.brief.fleet.by_id), "minItems": 1}
     in_order = {"type": "array", "items": {"anyOf": [_one_of(agents), resources]}, "minItems": 1}
     return {"type": "array", "items": in_order, "minItems": 1}

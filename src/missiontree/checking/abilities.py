@@ -147,7 +147,11 @@ def _need_problem(case: Case, kind: RobotType, stretch: Stretch) -> tuple[str, s
             if wanted is None:
                 continue
             if need.at_least is not None and limit < wanted:
-                return f"needs {need.limit} {wanted:.12g}; {kind.id} has {limit:.12g}", f"{limit:.12g}", f"at least {wanted:.12g}"
+                return (
+                    f"needs {need.limit} {wanted:.12g}; {kind.id} has {limit:.12g}",
+                    f"{limit:.12g}",
+                    f"at least {wanted:.12g}",
+                )
             if need.at_most is not None and limit > wanted:
                 return (
                     f"needs {need.limit} at most {wanted:.12g}; {kind.id} has {limit:.12g}",

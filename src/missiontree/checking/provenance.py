@@ -55,7 +55,7 @@ def transcript_of_another_mission(case: Case) -> Iterator[Fault]:
     """The transcript was recorded with other inputs than the plan's, and the plan does not say that it was played again."""
     if isinstance(case.recording, Recording) and not case.same_inputs:
         replayed = case.plan.provenance.author == "recorded"
-        if not replayed or all(notice.rule != OTHER_INPUTS for notice in case.plan.notices):
+        if not replayed or all(said.rule != OTHER_INPUTS for said in (*case.plan.notices, *case.plan.findings)):
             yield Fault(
                 "the transcript is of another mission or other inputs, and the plan does not say so.",
                 found=case.recording.mission,

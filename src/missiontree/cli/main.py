@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from missiontree import __version__
-from missiontree.cli import check, compare, evaluate, init, learn, models, plan, schema, show
+from missiontree.cli import check, compare, evaluate, export, init, learn, models, plan, schema, show
 from missiontree.cli.exits import Exit, guarded
 from missiontree.errors import InputError
 
@@ -30,6 +30,7 @@ app.command("show")(show.command)
 app.command("check")(check.command)
 app.command("compare")(compare.command)
 app.command("evaluate")(evaluate.command)
+app.command("export-training")(export.command)
 app.command("init")(init.command)
 app.command("learn")(learn.command)
 app.command("models")(models.command)

@@ -99,7 +99,7 @@ def _assumptions(problem: Problem, draft: Draft) -> tuple[Reason, ...]:
                     hint="Give the robot a position or a place.",
                 ),
             )
-        elif trip.origin != trip.destination and not problem.trips.speed_known(kind.id):  # by lift alone, no metre is travelled
+        elif trip.origin != trip.destination and not problem.trips.speed_known(kind.id):  # no metre may be, by lift
             reasons.setdefault(
                 ("speed_unknown", kind.id),
                 Reason(
