@@ -8,34 +8,33 @@ decline. The whole state is one frozen value that a call replaces at its very en
 from __future__ import annotations
 
 import textwrap
-import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, wraps
 from typing import Any, Concatenate, ParamSpec
 
 from missiontree.authoring.answer import Answer, RefusalError, refuse
-from missiontree.authoring.edits import depth_of, with_children, with_entities, with_links, without
+from missiontree.authoring.edits import with_children, with_entities, with_links, without
 from missiontree.authoring.endings import impossible, unclear
-from missiontree.authoring.entities import Cast, known_kinds
-from missiontree.authoring.findings import MAX_DEPTH, MAX_NODES, findings
+from missiontree.authoring.entities import Cast
+from missiontree.authoring.findings import findings
+from missiontree.authoring.growing import check_size, routine_nodes, task_nodes
+from missiontree.authoring.introducing import introduced
 from missiontree.authoring.links import Pair, check_links, name_of_kind
-from missiontree.authoring.matching import did_you_mean, listed, quoted, same_name
+from missiontree.authoring.matching import listed
 from missiontree.authoring.naming import make_id
 from missiontree.authoring.nodes import find_node, find_parent
-from missiontree.authoring.routine_calls import RoutineCall, able_types, form_of, read_routine_call
+from missiontree.authoring.routine_calls import able_types, form_of, read_routine_call
+from missiontree.authoring.texts import MAX_NAME, MAX_OBJECTIVE, check_text
 from missiontree.authoring.views import MOST_SHOWN, named, outline, state_of, told
 from missiontree.authoring.wire import RULE
 from missiontree.mission.brief import MissionBrief
-from missiontree.mission.entity import Entity
 from missiontree.mission.frozen_map import FrozenMap
 from missiontree.mission.reason import Reason
 from missiontree.mission.tree import Gate, Link, LinkKind, MissionNode, MissionTree
 from missiontree.routines.offers import Offers
 
 Draw = Callable[[MissionTree], str]
-MAX_NAME = 300
-MAX_OBJECTIVE = 100_000
 P = ParamSpec("P")
 
 
@@ -112,7 +111,7 @@ class TreeBuilder:
             hint = f"Go on with it: its root is {self.tree.root.id}. removeSubtask takes back what was added."
             raise refuse("duplicate", "There is a tree already.", node=self.tree.root.id, hint=hint)
         label = " ".join(objective.split())
-        _check_text(label, "objective", MAX_OBJECTIVE)
+        check_text(label, "objective", MAX_OBJECTIVE)
         label = textwrap.shorten(label, MAX_NAME, placeholder=" ...") if len(label) > MAX_NAME else label
         root = MissionNode(id=make_id(label, (), "mission"), label=label)
         tree = MissionTree(objective=objective, nodes=(root,))
@@ -143,12 +142,7 @@ class TreeBuilder:
         if len(primitive) != len(names):
             message = f"isPrimitiveList has {len(primitive)} entries and taskNameList {len(names)}."
             raise refuse(RULE, message, hint="Give one entry per task in each.")
-        _check_names(tree, above, names)
-        taken = set(tree.by_id)
-        nodes: list[MissionNode] = []
-        for name in names:
-            nodes.append(MissionNode(id=make_id(name, taken, "task"), label=name))
-            taken.add(nodes[-1].id)
+        nodes = task_nodes(tree, above, names)
         if any(primitive):
             notices += (_PRIMITIVE,)
         return self._grown(tree, above, nodes, names, gate, pairs, self.cast, notices)
@@ -183,7 +177,7 @@ class TreeBuilder:
             read_routine_call(name, given, f"treeArguments[{number}]", cast)
             for number, (name, given) in enumerate(zip(routines, arguments, strict=True))
         ]
-        nodes = _routine_nodes(tree, above, calls)
+        nodes = routine_nodes(tree, above, calls)
         answer = self._grown(tree, above, nodes, routines, gate, pairs, cast, notices + tuple(cast.assumptions))
         able = [
             {"id": node.id, "can_be_done_by": list(call.offers.able_types)}
@@ -194,34 +188,10 @@ class TreeBuilder:
     @_answering
     def introduce_entity(self, name: str, kind: str) -> Answer:
         """Make known somebody or something that the scene does not have; the position is unknown."""
-        tree, cast = self._begun(), self.cast
-        _check_text(name, "name", MAX_NAME)
-        kinds = known_kinds(cast.scene)
-        if (known := cast.find(name)) is not None:
-            if known in tree.entities and kind in kinds and kind != known.kind:
-                return self._taken_for(tree, known, kind)
-            message = f"{known.label} is known already, as {known.id} of kind {known.kind}."
-            raise refuse("duplicate", message, node=known.id, hint="Use it as it is.")
-        if kind not in kinds:
-            hint = f"{did_you_mean(kind, kinds)} Kinds are: {listed(kinds)}.".strip()
-            raise refuse("unknown_kind", f"There is no kind {quoted(kind)}.", node=name, hint=hint)
-        entity = cast.introduce(name, kind)
-        state = replace(self.state, tree=with_entities(tree, [entity]))
-        data = {"entity": entity.id, "entities": [known.id for known in cast.everyone]}
-        return self._done(state, data, tuple(cast.assumptions))
-
-    def _taken_for(self, tree: MissionTree, known: Entity, kind: str) -> Answer:
-        """Give an introduced entity another kind, as long as no routine has been attached that took it for what it was."""
-        users = [node.id for node in tree.nodes if known.id in node.arguments.values()]
-        if users:
-            message = f"{known.label} is used as one of kind {known.kind} by {listed(users)}."
-            raise refuse("duplicate", message, node=known.id, hint="Remove that first (removeSubtask).")
-        others = tuple(entity for entity in tree.entities if entity is not known)
-        cast = Cast(self.brief, others)
-        entity = cast.introduce(known.label, kind)
-        state = replace(self.state, tree=replace(tree, entities=(*others, entity)))
-        data = {"entity": entity.id, "entities": [one.id for one in cast.everyone]}
-        return self._done(state, data, tuple(cast.assumptions))
+        made, entity, assumptions = introduced(self._begun(), self.brief, name, kind)
+        everyone = Cast(self.brief, made.entities).everyone
+        data = {"entity": entity.id, "entities": [known.id for known in everyone]}
+        return self._done(replace(self.state, tree=made), data, assumptions)
 
     @_answering
     def remove_subtask(self, node: str) -> Answer:
@@ -317,8 +287,8 @@ class TreeBuilder:
             Why it is needed.
         """
         self._check_not_ended()
-        _check_text(missing, "missing", MAX_NAME)
-        _check_text(" ".join(reason.split()), "reason", MAX_OBJECTIVE)
+        check_text(missing, "missing", MAX_NAME)
+        check_text(" ".join(reason.split()), "reason", MAX_OBJECTIVE)
         declared, doubts = impossible(missing, reason, self.brief)
         return self._done(replace(self.state, impossible=(declared,)), {"declared": "impossible"}, doubts)
 
@@ -335,8 +305,8 @@ class TreeBuilder:
             What the operator should say.
         """
         self._check_not_ended()
-        _check_text(" ".join(words.split()), "words", MAX_NAME)
-        _check_text(" ".join(question.split()), "question", MAX_OBJECTIVE)
+        check_text(" ".join(words.split()), "words", MAX_NAME)
+        check_text(" ".join(question.split()), "question", MAX_OBJECTIVE)
         declared = unclear(words, " ".join(question.split()), self.brief)
         return self._done(replace(self.state, unclear=(declared,)), {"declared": "unclear"})
 
@@ -355,7 +325,7 @@ class TreeBuilder:
         if not nodes:
             raise refuse(RULE, "The list of names is empty.", hint="Name at least one.")
         self._check_gate(above, gate)
-        _check_size(tree, above, len(nodes))
+        check_size(tree, above, len(nodes))
         grown = with_children(with_entities(tree, cast.added), above.id, nodes, gate)
         links = []
         for first, second, kind in pairs:
@@ -415,58 +385,3 @@ _PRIMITIVE = Reason(
     severity="notice",
     hint="Put routines below the task with attachMultiSubTrees.",
 )
-
-
-def _check_text(text: str, what: str, longest: int) -> None:
-    if not text.strip():
-        raise refuse(RULE, f"{what} is empty.", hint="Use words.")
-    if len(text) > longest:
-        raise refuse(RULE, f"{what} has {len(text)} characters; at most {longest} are taken.", hint="Use fewer words.")
-    if odd := next((letter for letter in text if unicodedata.category(letter) in {"Cc", "Cs", "Zl", "Zp"}), None):
-        raise refuse(
-            RULE, f"{what} holds the control character {odd!r}.", hint="Use letters, digits, blanks, punctuation."
-        )
-
-
-def _check_names(tree: MissionTree, above: MissionNode, names: Sequence[str]) -> None:
-    standing = {same_name(tree.by_id[child].label): child for child in above.children}
-    for name in names:
-        _check_text(name, "a task name", MAX_NAME)
-        form = same_name(name)
-        if form in standing:
-            message = f"{above.label!r} has a subtask {quoted(name)} already, or the call names it twice."
-            raise refuse("duplicate", message, node=standing[form], hint="Give it another name, or leave it out.")
-        standing[form] = name
-
-
-def _routine_nodes(tree: MissionTree, above: MissionNode, calls: Sequence[RoutineCall]) -> list[MissionNode]:
-    taken = set(tree.by_id)
-    standing = {
-        (child.routine, tuple(child.arguments.values()), child.resources)
-        for child in (tree.by_id[child_id] for child_id in above.children)
-    }
-    nodes = []
-    for call in calls:
-        arguments = {name: entity.id for name, entity in call.entities.items()}
-        same = (call.routine.id, tuple(arguments.values()), call.resources)
-        if same in standing:
-            message = f"{above.label!r} has {call.label} already, or the call names it twice."
-            raise refuse("duplicate", message, node=call.label, hint="Leave it out.")
-        standing.add(same)
-        node_id = make_id(call.label, taken, "routine")
-        taken.add(node_id)
-        nodes.append(
-            MissionNode(
-                id=node_id, label=call.label, routine=call.routine.id, arguments=arguments, resources=call.resources
-            )
-        )
-    return nodes
-
-
-def _check_size(tree: MissionTree, above: MissionNode, more: int) -> None:
-    if len(tree.nodes) + more > MAX_NODES:
-        message = f"The tree would have {len(tree.nodes) + more} nodes; at most {MAX_NODES} are planned."
-        raise refuse("size", message, node=above.id, needed=f"at most {MAX_NODES}", hint="Make the tree smaller.")
-    if depth_of(tree, above.id) + 1 > MAX_DEPTH:
-        message = f"The tree would have {MAX_DEPTH + 1} levels; at most {MAX_DEPTH} are planned."
-        raise refuse("size", message, node=above.id, needed=f"at most {MAX_DEPTH}", hint="Put it higher up.")
