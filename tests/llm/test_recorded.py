@@ -6,9 +6,9 @@ from missiontree.llm.recorded import RecordedModel
 from missiontree.llm.recording import answer_line, header_line, line_of, message_line, read_recording
 
 TURNS = (Message("assistant", "first", (ToolCall("1", "a", "{\ud800"),)), Message("assistant", "second"))
-END = line_of({"kind": "end", "status": "complete", "reasons": [], "reading": [], "remarks": []})
+END = line_of({"kind": "end", "status": "complete", "reasons": [], "reading": [], "remarks": [], "spent": {}})
 LINES = [
-    header_line("somebody", "large-1", "0" * 64),
+    header_line("somebody", "large-1", "", "0" * 64),
     message_line(Message("user", "hello")),
     message_line(TURNS[0]),
     answer_line("1", True, "done"),
