@@ -48,15 +48,19 @@ includes.
 mission leaves).
 - What must end before something else starts needs a Precedence pair, with the call that adds the later of the two or by setLink. \
 What goes on until something else ends needs an Until pair.
-- Who is lost or missing, and what has "position": "unknown", is searched for first. Nothing else is.
+- Who is lost or missing, and what the scene marks "position":"unknown", is searched for first. Nothing else is: that it is not said \
+where something is, is no reason to search.
 - Who does what is worked out afterwards. Name robot types only where the mission asks for them or forbids them.
 - {names}
 - A refused call has changed nothing. Its answer says what is accepted: put that right and send it again.
 - If the mission asks for something that no routine does or no robot of the team is able to do, call declareImpossible. If it has a \
-condition, a clock time or a way not to take, or may mean several things, call declareUnclear. Build no tree beside the point.
+condition, a clock time or deadline or a way not to take, or may mean several things, call declareUnclear. Build no tree beside the \
+point.
 - When the tree is whole, answer without calls."""
 _NAMES_OF_A_SCENE = "Call things by the ids of the scene. Make known what it lacks by introduceEntity."
-_NAMES_OF_WORDS = "Call things as the mission calls them. Make known by introduceEntity what it does not name."
+_NAMES_OF_WORDS = (
+    "Call things as the mission calls them. introduceEntity gives what it does not name, or a longer name, a kind."
+)
 
 CUT = Message(
     "user",

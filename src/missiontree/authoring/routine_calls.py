@@ -60,7 +60,7 @@ def read_routine_call(name: str, given: Any, what: str, cast: Cast) -> RoutineCa
     resources = _read_resources(by_name.pop("resources", None), brief.fleet, what)
     entities = {argument: cast.resolve(spelling) for argument, spelling in by_name.items()}
     if brief.check_kinds:
-        _check_kinds(routine, entities, cast.scene)
+        _check_kinds(routine, entities, cast)
     offers = offers_for(routine, entities, brief.fleet, cast.scene, brief.routines, resources, brief.check_kinds)
     call = RoutineCall(routine, entities, resources, offers)
     if not offers.able:
@@ -153,17 +153,23 @@ def _find_type(fleet: Fleet, name: str) -> str:
     raise refuse("unknown_robot", f"There is no robot type {quoted(name)}.", robot=name[:200], hint=hint)
 
 
-def _check_kinds(routine: Routine, entities: Mapping[str, Entity], scene: Scene) -> None:
+def _check_kinds(routine: Routine, entities: Mapping[str, Entity], cast: Cast) -> None:
     for name, entity in entities.items():
         accepted = routine.argument_kinds[name]
-        if not set(scene.lineage(entity.kind)) & set(accepted):
+        if not set(cast.scene.lineage(entity.kind)) & set(accepted):
+            guessed = entity in (*cast.introduced, *cast.added)
+            mend = (
+                f"If {entity.label} is one, make that known by introduceEntity and send this again. " if guessed else ""
+            )
             raise refuse(
                 "wrong_kind",
                 f"{routine.id} takes as {name} {' or '.join(accepted)}; {entity.label} is of kind {entity.kind}.",
                 node=entity.id,
                 found=entity.kind,
                 needed=", ".join(accepted),
-                hint="Use another routine, or another entity.",
+                hint=f"{mend}Else use another routine, or another entity."
+                if mend
+                else "Use another routine, or another entity.",
             )
 
 

@@ -148,7 +148,7 @@ TOOLS: tuple[TreeFunction, ...] = (
     ),
     TreeFunction(
         "introduceEntity",
-        "Make known somebody or something that the scene does not have. Its position is then unknown.",
+        "Make known somebody or something that the scene does not have. Where it is stays open.",
         (
             Parameter("name", TEXT, "What it is called."),
             Parameter("kind", TEXT, "person, animal, object, place, or a kind of the scene."),
@@ -186,15 +186,15 @@ TOOLS: tuple[TreeFunction, ...] = (
         "declareImpossible",
         "Say that the mission cannot be done: a capability, robot or thing is missing, or a limit or zone forbids it. Ends the dialogue.",
         (
-            Parameter("missing", TEXT, "What is missing, by its name: carry, payload_kg."),
+            Parameter("missing", TEXT, "What is missing, by its name: carry, payload_kg, zone vault."),
             Parameter("reason", TEXT, "Why the mission needs it."),
         ),
         lambda builder, given: builder.declare_impossible(given["missing"], given["reason"]),
     ),
     TreeFunction(
         "declareUnclear",
-        "Say that the mission may mean several things, or has what no tree holds: a condition, a clock time, a way not to take, what only "
-        "measuring could tell. Ends the dialogue.",
+        "Say that the mission may mean several things, or has what no tree holds: a condition, a clock time or deadline, a way not to "
+        "take, what only measuring could tell. Ends the dialogue.",
         (
             Parameter("words", TEXT, "The words in question, as the mission has them."),
             Parameter("question", TEXT, "What the operator should say."),
