@@ -641,3 +641,10 @@ class TestMistakenKinds:
     def test_a_thing_of_the_scene_is_what_the_scene_says(self, scenic_box: ToolBox) -> None:
         answer = scenic_box.call("introduceEntity", {"name": "child", "kind": "dog"})
         assert [reason.rule for reason in answer.reasons] == ["duplicate"]
+
+
+def test_nothing_is_brought_to_itself(scenic_box: ToolBox) -> None:
+    call = {"parentString": "bring", "treeNames": ["TransportTree"], "treeArguments": [["child", "Tim"]]}
+    answer = scenic_box.call("attachMultiSubTrees", {**call, "LogicalConstraint": "AND"})
+    assert [reason.rule for reason in answer.reasons] == ["same_entity_twice"]
+    assert "Tim as agent and as location" in answer.reasons[0].message

@@ -75,3 +75,12 @@ def test_a_link_across_a_xor_is_a_warning_and_no_fault(brief: MissionBrief) -> N
     (finding,) = findings(tree, brief)
     assert (finding.rule, finding.severity) == ("link_never_binds", "warning")
     assert gate(tree, brief) == ()
+
+
+def test_one_entity_for_two_arguments_is_a_fault(brief: MissionBrief) -> None:
+    """A tree from a file has not gone through the calls that refuse this."""
+    tree = reunite_tree()
+    leaf = next(node for node in tree.nodes if node.routine == "ReachAndTransport")
+    twice = replace(leaf, arguments=dict.fromkeys(leaf.arguments, leaf.arguments["agent"]))
+    nodes = tuple(twice if node is leaf else node for node in tree.nodes)
+    assert [finding.rule for finding in gate(replace(tree, nodes=nodes), brief)] == ["same_entity_twice"]

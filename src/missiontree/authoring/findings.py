@@ -88,6 +88,10 @@ def _of_routine(node: MissionNode, brief: MissionBrief, scene: Scene) -> Iterato
             hint=f"{routine.id} takes {accepted}.",
         )
         return
+    if len(set(node.arguments.values())) < len(node.arguments):
+        message = f"{node.label!r} ({node.id}) gives {routine.id} the same entity twice."
+        hint = "Name somebody or something else for one of its arguments."
+        yield Reason(rule="same_entity_twice", message=message, node=node.id, hint=hint)
     for name, entity_id in node.arguments.items():
         entity = scene.by_id.get(entity_id)
         if entity is None:

@@ -52,13 +52,15 @@ def read_routine_call(name: str, given: Any, what: str, cast: Cast) -> RoutineCa
     Raises
     ------
     RefusalError
-        ``unknown_routine``, ``malformed_arguments``, ``unknown_entity``, ``wrong_kind``, ``unknown_robot``, ``no_robot_able``.
+        ``unknown_routine``, ``malformed_arguments``, ``unknown_entity``, ``same_entity_twice``, ``wrong_kind``, ``unknown_robot``,
+        ``no_robot_able``.
     """
     brief = cast.brief
     routine = find_routine(brief.routines, name)
     by_name = _by_name(routine, given, what)
     resources = _read_resources(by_name.pop("resources", None), brief.fleet, what)
     entities = {argument: cast.resolve(spelling) for argument, spelling in by_name.items()}
+    _check_different(routine, entities)
     if brief.check_kinds:
         _check_kinds(routine, entities, cast)
     offers = offers_for(routine, entities, brief.fleet, cast.scene, brief.routines, resources, brief.check_kinds)
@@ -151,6 +153,19 @@ def _find_type(fleet: Fleet, name: str) -> str:
     spellings = [spelling for kind in fleet.types for spelling in (kind.id, kind.label)]
     hint = f"{did_you_mean(name, spellings)} Robot types are: {listed(fleet.by_id)}.".strip()
     raise refuse("unknown_robot", f"There is no robot type {quoted(name)}.", robot=name[:200], hint=hint)
+
+
+def _check_different(routine: Routine, entities: Mapping[str, Entity]) -> None:
+    taken: dict[str, str] = {}
+    for name, entity in entities.items():
+        if entity.id in taken:
+            raise refuse(
+                "same_entity_twice",
+                f"{routine.id} is given {entity.label} as {taken[entity.id]} and as {name}.",
+                node=entity.id,
+                hint="Name somebody or something else for one of them.",
+            )
+        taken[entity.id] = name
 
 
 def _check_kinds(routine: Routine, entities: Mapping[str, Entity], cast: Cast) -> None:
