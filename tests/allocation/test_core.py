@@ -42,3 +42,16 @@ def test_nested_ands_become_one_chain() -> None:
     # 8 leaves, 4 picks, 3 pairs.
     assert len(boiled) == 15
     assert sum(pair is not None for pair in boiled.pair) == 3
+
+
+def test_what_belongs_to_an_impossible_subtree_does_not_stand_for_the_whole() -> None:
+    """The choice between a and b is boiled down after that between c and d, and falls away with its task."""
+    boiled = core(
+        xor_(
+            and_(xor_(leaf("a", uses={"energy_j": 1}), leaf("b")), xor_()),
+            xor_(leaf("c", quality=5, uses={"energy_j": 2}), leaf("d", quality=1)),
+        )
+    )
+    # Preorder: 0 xor, 1 and, 2 xor, 3 a, 4 b, 5 impossible, 6 xor, 7 c, 8 d.
+    assert [option.child for option in boiled.options[-1]] == [7, 8]
+    assert boiled.way_under(len(boiled) - 1, {len(boiled) - 1: 0})[1:] == (5_000_000, {0: 2})

@@ -26,7 +26,7 @@ SEARCH: tuple[str, Mapping[str, object]] = (
         "constraintPairs": [[0, 1]],
     },
 )
-WHOLE = [Turn("First I think.", (INIT,)), Turn("Then I call.", (SEARCH,)), Turn("Done."), Turn("All is right.")]
+WHOLE = [Turn("First I think.", (INIT,)), Turn("Then I call.", (SEARCH,)), Turn("All is right.")]
 
 
 @pytest.fixture(autouse=True)
@@ -41,11 +41,11 @@ def test_a_model_builds_a_tree_that_is_planned_checked_and_replayed(shell: Shell
     assert endpoint.violations == []
     assert ran.code == 0, ran.err
     assert "turn 2: 2 calls so far, 3 nodes" in ran.err
-    assert "openai large: 4 turns, 2 calls, " in ran.err
-    assert "openai large: 4 turns, 2 calls, " in ran.out
+    assert "openai large: 3 turns, 2 calls, " in ran.err
+    assert "openai large: 3 turns, 2 calls, " in ran.out
     assert shell("check", "plan.json").code == 0
     plan = json.loads((tmp_path / "plan.json").read_text(encoding="utf-8"))
-    assert plan["provenance"]["spent"]["turns"] == 4
+    assert plan["provenance"]["spent"]["turns"] == 3
     header = json.loads((tmp_path / "talk.jsonl").read_text(encoding="utf-8").splitlines()[0])
     assert (header["source"], header["model"], header["endpoint"]) == ("openai", "large", endpoint.url)
     for file in ("talk.jsonl", "plan.json"):

@@ -72,6 +72,11 @@ class Core:
         self.options.append(options)
         return len(self.utility) - 1
 
+    def end_at(self, top: int) -> None:
+        """Make a part the last, which stands for the whole; what comes behind it belongs to subtrees that turned out impossible."""
+        for column in (self.utility, self.uses, self.pair, self.options):
+            del column[top + 1 :]
+
     def way_under(self, top: int, picked: Sequence[int] | Way) -> tuple[Way, int, dict[int, int]]:
         """The way that takes the picked options below a part: its picks, its utility, its use by purse."""
         way, utility, used = Way(), 0, dict[int, int]()
@@ -122,7 +127,7 @@ def core_of(flat: Flat, possible: Sequence[bool], purses: Purses) -> Core:
         else:
             options = [Option(_part(core, bundles.pop(child)), node, place, child) for place, child in below]
             bundles[node] = _Bundle(0, {}, [core.add(options=tuple(options))])
-    _part(core, bundles[0])
+    core.end_at(_part(core, bundles[0]))
     return core
 
 
