@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from missiontree.reporting.tree_layout import Layout, tidy_layout
+from missiontree.reporting.tree.layout import Layout, tidy_layout
 
 GAP = 2.0
 

@@ -1,76 +1,112 @@
-"""Arrows find their way between the boxes."""
+"""Links by hand: straight to neighbours, else in lanes between the rows."""
 
-from itertools import pairwise
+from __future__ import annotations
 
-from hypothesis import given
+from itertools import combinations, pairwise
 
-from missiontree.reporting.tree_cards import Card, Rows, card_of, lay_out, set_rows
-from missiontree.reporting.tree_links import LANE, LANES_FROM, Arrow, Point, Router, draw
-from missiontree.reporting.tree_shape import Shape, ShapeNode
-from tests.reporting.shapes import shapes
+import pytest
 
-
-def drawn(shape: Shape) -> tuple[list[Arrow], Rows, list[Card]]:
-    cards = [card_of(node) for node in shape.nodes]
-    layout = lay_out(shape, cards)
-    router = Router(shape, layout)
-    routes = router.routes()
-    gaps = [LANES_FROM + LANE * router.lanes[level] + 24 for level in range(max(layout.level) + 1)]
-    rows = set_rows(layout, cards, gaps)
-    return draw(routes, rows, cards), rows, cards
+from missiontree.mission.tree import LinkKind
+from missiontree.reporting.tree.links import LANE, LANES_FROM_LEAVES
+from missiontree.reporting.tree.placing import Placed, draft_of, placed
+from missiontree.reporting.tree.routes import Run, in_lanes
+from tests.reporting.tree_builders import Sprout, routine, shape, step, task
+from tests.reporting.tree_geometry import box_of, passes
 
 
-def meets(start: Point, end: Point, x: float, y: float, card: Card) -> bool:
-    """Whether an upright or level stretch passes over the inside of a box."""
-    return (
-        min(start[0], end[0]) < x + card.width / 2 - 1e-6
-        and max(start[0], end[0]) > x - card.width / 2 + 1e-6
-        and min(start[1], end[1]) < y + card.height / 2 - 1e-6
-        and max(start[1], end[1]) > y - card.height / 2 + 1e-6
-    )
+def drawn(root: Sprout, *links: tuple[str, str, LinkKind]) -> Placed:
+    return placed(draft_of(shape(root, links)))
 
 
-@given(shapes())
-def test_arrows_pass_over_no_box(shape: Shape) -> None:
-    arrows, rows, cards = drawn(shape)
-    assert len(arrows) == len(shape.links)
-    for arrow, (first, second, kind) in zip(arrows, shape.links, strict=True):
-        assert arrow.kind == kind
-        for start, end in pairwise(arrow.points):
-            assert start[0] == end[0] or start[1] == end[1]
-            for node, card in enumerate(cards):
-                if node not in {first, second}:
-                    assert not meets(start, end, rows.x[node], rows.y[node], card)
+def row(*links: tuple[str, str, LinkKind]) -> Placed:
+    """Three leaves A, B, C (1, 2, 3) below a root."""
+    return drawn(task("root", routine("A"), routine("B"), routine("C")), *links)
 
 
-@given(shapes())
-def test_arrows_start_and_end_at_the_edges_of_their_boxes(shape: Shape) -> None:
-    arrows, rows, cards = drawn(shape)
-    for arrow, (first, second, _) in zip(arrows, shape.links, strict=True):
-        for (x, y), node in ((arrow.points[0], first), (arrow.points[-1], second)):
-            aside = abs(x - rows.x[node])
-            at_the_side = abs(aside - cards[node].width / 2) < 1e-6 and y == rows.y[node]
-            assert at_the_side or abs(abs(y - rows.y[node]) - cards[node].reach(aside)) < 1e-6
+def test_a_precedence_between_neighbours_is_straight_and_goes_from_the_first_to_the_second() -> None:
+    tree = row(("A", "B", "precedence"), ("C", "B", "precedence"))
+    right, left = tree.arrows
+    assert right.points == ((box_of(tree, 1).right, tree.rows.y[1]), (box_of(tree, 2).left, tree.rows.y[1]))
+    assert left.points == ((box_of(tree, 3).left, tree.rows.y[1]), (box_of(tree, 2).right, tree.rows.y[1]))
 
 
-def row(*links: tuple[int, int]) -> Shape:
-    """Three leaves A, B, C below a root."""
-    nodes = [ShapeNode("n0", "root", "", "task", "and")]
-    nodes += [ShapeNode(f"n{i}", "ABC"[i - 1], "", "action", None) for i in (1, 2, 3)]
-    return Shape(tuple(nodes), ((1, 2, 3), (), (), ()), tuple((*link, "precedence") for link in links))
+def test_what_would_lie_on_a_straight_arrow_goes_round_below() -> None:
+    tree = row(("A", "B", "precedence"), ("B", "A", "precedence"), ("A", "B", "until"))
+    straight, *others = tree.arrows
+    assert len(straight.points) == 2
+    for arrow in others:
+        assert len(arrow.points) == 4  # down, along, up
+        assert arrow.points[1][1] >= tree.rows.bottoms[1] + LANES_FROM_LEAVES
 
 
-def test_neighbours_are_joined_straight_and_only_once() -> None:
-    arrows, rows, _ = drawn(row((1, 2), (3, 2), (2, 1)))
-    assert arrows[0].points[0][0] < arrows[0].points[1][0]
-    assert arrows[1].points[0][0] > arrows[1].points[1][0]
-    assert {y for arrow in arrows[:2] for _, y in arrow.points} == {rows.y[1]}
-    assert len(arrows[2].points) == 4  # down, along, up
-
-
-def test_lanes_do_not_lie_on_each_other() -> None:
-    arrows, _, _ = drawn(row((1, 3), (3, 1)))
-    levels = [arrow.points[1][1] for arrow in arrows]
+def test_lanes_lie_apart_and_links_of_one_box_have_ends_of_their_own() -> None:
+    tree = row(("A", "C", "precedence"), ("C", "A", "until"))
+    levels = [arrow.points[1][1] for arrow in tree.arrows]
     assert abs(levels[0] - levels[1]) == LANE
-    starts = {arrow.points[0] for arrow in arrows} | {arrow.points[-1] for arrow in arrows}
-    assert len(starts) == 4
+    assert len({point for arrow in tree.arrows for point in (arrow.points[0], arrow.points[-1])}) == 4
+
+
+def test_a_link_to_another_depth_passes_beside_the_branch_of_its_end() -> None:
+    tree = drawn(task("root", routine("A"), task("B", task("C", routine("D"))), routine("E")), ("A", "D", "precedence"))
+    [arrow] = tree.arrows
+    # down from A, along to the left of B's branch, down past C, along over D, down to it
+    assert arrow.points[0][1] == box_of(tree, 1).bottom
+    assert arrow.points[-1][1] == box_of(tree, 4).top
+    assert arrow.points[2][0] < box_of(tree, 3).left
+    assert len(arrow.points) == 6
+
+
+def test_upwards_is_the_way_back() -> None:
+    tree = drawn(task("root", routine("A"), task("B", task("C", routine("D"))), routine("E")), ("D", "A", "precedence"))
+    [arrow] = tree.arrows
+    assert arrow.points[0][1] == box_of(tree, 4).top
+    assert arrow.points[-1][1] == box_of(tree, 1).bottom
+
+
+def test_in_a_column_a_precedence_goes_to_the_next_box_and_round_others() -> None:
+    steps = task("root", step("a"), step("b"), step("c"))
+    tree = drawn(steps, ("a", "b", "precedence"), ("a", "c", "precedence"), ("b", "c", "same_robot"))
+    next_one, over, worded = tree.arrows
+    assert next_one.points == ((tree.rows.x[1], box_of(tree, 1).bottom), (tree.rows.x[1], box_of(tree, 2).top))
+    assert over.points[0][0] == over.points[-1][0] == box_of(tree, 1).right
+    assert over.points[1][0] == over.points[2][0] > box_of(tree, 2).right
+    assert worded.upright  # there is no room for its word but along the column
+    assert worded.label_at[0] > box_of(tree, 2).right
+
+
+def test_beside_a_high_column_a_link_keeps_to_the_column_not_to_the_subtree() -> None:
+    """The last of seven steps stands far below its level, beside what is below its neighbour there."""
+    wide = task("wide", *(routine(f"A rather long label {number}") for number in range(5)))
+    sequence = [step(f"s{number}") for number in range(7)]
+    for root in (task("root", *sequence, wide), task("root", wide, *sequence)):
+        tree = drawn(root, ("s6", "wide", "precedence"))
+        [arrow] = tree.arrows
+        ends = {index for index, node in enumerate(tree.shape.nodes) if node.label in {"s6", "wide"}}
+        assert box_of(tree, min(ends)).bottom != box_of(tree, max(ends)).bottom
+        for start, end in pairwise(arrow.points):
+            for node in range(len(tree.shape.nodes)):
+                assert node in ends or not passes(start, end, box_of(tree, node))
+
+
+def test_lanes_are_shared_by_what_does_not_meet() -> None:
+    # 0–10, 40–50 and 80–100 lie in one lane, 5–60 needs another one; short ones come first
+    runs = [Run(0, 5, 60, (5, 60)), Run(0, 0, 10, (0, 10)), Run(0, 50, 40, (40, 50)), Run(0, 100, 80, (80, 100))]
+    assert in_lanes(runs) == 2
+    assert [run.lane for run in runs] == [1, 0, 0, 0]
+
+
+def test_lanes_keep_some_distance_between_neighbours() -> None:
+    runs = [Run(0, 0, 10, (0, 10)), Run(0, 20, 30, (20, 30)), Run(0, 40, 50, (40, 50))]
+    assert in_lanes(runs) == 2  # 10 apart is too little, 30 is enough
+    assert [run.lane for run in runs] == [0, 1, 0]
+
+
+@pytest.mark.parametrize("count", [2, 5, 9])
+def test_many_links_of_one_box_leave_it_side_by_side(count: int) -> None:
+    leaves = [routine(f"A leaf with a long label {number}") for number in range(count + 1)]
+    links: list[tuple[str, str, LinkKind]] = [
+        (leaves[0].node.label, leaf.node.label, "same_robot") for leaf in leaves[1:]
+    ]
+    starts = [arrow.points[0][0] for arrow in drawn(task("root", *leaves), *links).arrows]
+    apart = [abs(one - other) for one, other in combinations(starts[:5], 2)]
+    assert min(apart) >= 6

@@ -4,7 +4,7 @@ from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Estimate
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, GroundedTree, Role
 from missiontree.mission.tree import Link, MissionNode, MissionTree
-from missiontree.reporting.tree_shape import ShapeNode, link_words, shape_of
+from missiontree.reporting.tree.shape import NO_NAMES, Names, ShapeNode, link_words, shape_of
 
 
 def authored(*links: Link) -> MissionTree:
@@ -22,8 +22,11 @@ def authored(*links: Link) -> MissionTree:
     )
 
 
-def action(role: int) -> Action:
-    return Action(name="look", text="Look", role=role, robot_type="cart", capability="search", estimate=Estimate(1))
+def action(role: int, sync: int | None = None) -> Action:
+    estimate = Estimate(1)
+    return Action(
+        name="look", text="Look", role=role, robot_type="cart", capability="search", estimate=estimate, sync=sync
+    )
 
 
 def test_authored_nodes() -> None:
@@ -38,10 +41,12 @@ def test_authored_nodes() -> None:
     assert shape.frames == ()
 
 
-def noted(label: str, agent: str, *entities: Entity) -> str:
-    node = MissionNode(id="leaf", label=label, routine="Search", arguments={"agent": agent})
+def noted(
+    label: str, agent: str, *entities: Entity, names: Names = NO_NAMES, resources: tuple[str, ...] | None = None
+) -> str:
+    node = MissionNode(id="leaf", label=label, routine="Search", arguments={"agent": agent}, resources=resources)
     root = MissionNode(id="root", label="Help", gate="and", children=("leaf",))
-    return shape_of(MissionTree(objective="Help", nodes=(root, node), entities=entities)).nodes[1].note
+    return shape_of(MissionTree(objective="Help", nodes=(root, node), entities=entities), names).nodes[1].note
 
 
 def test_label_hides_the_call_only_if_it_reads_as_that_call() -> None:
@@ -50,6 +55,16 @@ def test_label_hides_the_call_only_if_it_reads_as_that_call() -> None:
     assert noted("Search(Otto)", "lobby") == "Search(lobby)"
     # Without the entity's own label at hand, what the scene calls it is no proof of who it is.
     assert noted("Search(Cat)", "cat_2") == "Search(cat_2)"
+    assert noted("Search(Cat)", "cat_2", names=Names(entities={"cat_2": "Cat"})) == ""
+    # What the tree itself introduces is what the tree is about.
+    tom = Entity(id="cat_2", label="Tom")
+    assert noted("Search(Cat)", "cat_2", tom, names=Names(entities={"cat_2": "Cat"})) == "Search(cat_2)"
+
+
+def test_robot_types_are_called_as_people_call_them() -> None:
+    names = Names(robot_types={"scout_mk2": "Scout\nMk II"})
+    assert noted("Search(cat)", "cat", resources=("scout_mk2", "cart"), names=names) == "only Scout Mk II or cart"
+    assert noted("Search(cat)", "cat", resources=()) == "only nobody"
 
 
 def test_links_are_sentences_and_equal_labels_are_told_apart() -> None:
@@ -74,7 +89,7 @@ def test_grounded_nodes_and_the_frames_of_their_routines() -> None:
             GroundedNode(parent=-1, kind="and", label="Help", source="root"),
             GroundedNode(parent=0, kind="xor", label="Search(cat)", source="search"),
             GroundedNode(parent=1, kind="and", label="search by Cart", source="search"),
-            GroundedNode(parent=2, kind="action", label="Look", source="search", action=action(0)),
+            GroundedNode(parent=2, kind="action", label="Look", source="search", action=action(0, sync=1)),
             GroundedNode(parent=0, kind="xor", label="Reach(moon)", source="reach"),
         ),
         roles=(Role(label="Search(cat)", source="search"),),
@@ -83,6 +98,9 @@ def test_grounded_nodes_and_the_frames_of_their_routines() -> None:
     shape = shape_of(tree)
     assert [node.kind for node in shape.nodes] == ["task", "task", "task", "action", "impossible"]
     assert [node.gate for node in shape.nodes] == ["and", "xor", "and", None, None]
+    assert [node.role for node in shape.nodes] == [None, None, None, 0, None]
+    assert shape.nodes[3].note == "joint work 2"
+    assert shape.sizes == [5, 3, 2, 1, 1]
     assert shape.nodes[4].note == "nobody can do it"
     assert shape.frames == (1,)
     assert shape.links == ((1, 4, "precedence"),)

@@ -4,14 +4,33 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.tree import Gate, LinkKind, MissionNode, MissionTree
 from missiontree.reporting.escape import one_line
+from missiontree.reporting.palette import Livery
 
-ShapeKind = Literal["task", "routine", "action", "impossible"]
+ShapeKind = Literal["task", "routine", "action", "impossible", "more"]
+State = Literal["plain", "lit", "quiet"]
+
+
+@dataclass(frozen=True, slots=True)
+class Badge:
+    """
+    A robot's name on a node.
+
+    Parameters
+    ----------
+    text
+        Name of the robot or of its type, on one line and harmless in a terminal.
+    livery
+        How the robot's surfaces look.
+    """
+
+    text: str
+    livery: Livery
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,9 +47,18 @@ class ShapeNode:
     note
         What is added to the label; empty if nothing is.
     kind
-        ``task``, ``routine`` (a subtree not expanded), ``action``, or ``impossible``: nobody can do it.
+        ``task``, ``routine`` (a subtree not expanded), ``action``, ``impossible``: nobody can do it, or ``more``: it stands for
+        siblings that are not shown.
     gate
         Over its children; None for a leaf.
+    role
+        Number of the role that an action is part of; None for everything else. Actions of one role are done in their order.
+    team
+        Who does it, as far as that is to be shown.
+    state
+        ``lit``: part of the chosen alternative; ``quiet``: not part of it; ``plain`` (default): none is chosen.
+    hidden
+        How many nodes are folded into it.
     """
 
     name: str
@@ -38,6 +66,10 @@ class ShapeNode:
     note: str
     kind: ShapeKind
     gate: Gate | None
+    role: int | None = None
+    team: tuple[Badge, ...] = ()
+    state: State = "plain"
+    hidden: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,10 +94,36 @@ class Shape:
     links: tuple[tuple[int, int, LinkKind], ...]
     frames: tuple[int, ...] = ()
 
+    @property
+    def sizes(self) -> list[int]:
+        """How many nodes each subtree has, its root included."""
+        sizes = [1] * len(self.nodes)
+        for node in reversed(range(len(sizes))):
+            sizes[node] += sum(sizes[child] for child in self.children[node])
+        return sizes
 
-def shape_of(tree: MissionTree | GroundedTree) -> Shape:
-    """What there is to show of a tree. Linear."""
-    return _authored(tree) if isinstance(tree, MissionTree) else _grounded(tree)
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """
+    What people call what a mission tree names by id.
+
+    Parameters
+    ----------
+    entities, robot_types
+        Labels by id.
+    """
+
+    entities: Mapping[str, str] = field(default_factory=dict)
+    robot_types: Mapping[str, str] = field(default_factory=dict)
+
+
+NO_NAMES = Names()
+
+
+def shape_of(tree: MissionTree | GroundedTree, names: Names = NO_NAMES) -> Shape:
+    """What there is to show of a tree. Linear. The names are those that the tree itself does not know."""
+    return _authored(tree, names) if isinstance(tree, MissionTree) else _grounded(tree)
 
 
 def link_words(shape: Shape) -> Iterator[str]:
@@ -88,32 +146,32 @@ _SENTENCES: dict[LinkKind, str] = {
 }
 
 
-def _authored(tree: MissionTree) -> Shape:
+def _authored(tree: MissionTree, names: Names) -> Shape:
     number = {node.id: index for index, node in enumerate(tree.nodes)}
-    labels = {entity.id: entity.label for entity in tree.entities}
+    known = replace(names, entities={**names.entities, **{entity.id: entity.label for entity in tree.entities}})
     return Shape(
-        nodes=tuple(_authored_node(node, labels) for node in tree.nodes),
+        nodes=tuple(_authored_node(node, known) for node in tree.nodes),
         children=tuple(tuple(number[child] for child in node.children) for node in tree.nodes),
         links=tuple((number[link.first], number[link.second], link.kind) for link in tree.links),
     )
 
 
-def _authored_node(node: MissionNode, labels: Mapping[str, str]) -> ShapeNode:
+def _authored_node(node: MissionNode, names: Names) -> ShapeNode:
     label = one_line(node.label)
     if node.routine is None:
         return ShapeNode(node.id, label, "" if node.children else "no routine yet", "task", node.gate)
-    names = node.arguments.values()
-    call = f"{node.routine}({', '.join(names)})"
-    called = f"{node.routine}({', '.join(labels.get(name, name) for name in names)})"
+    arguments = node.arguments.values()
+    call = f"{node.routine}({', '.join(arguments)})"
+    called = f"{node.routine}({', '.join(names.entities.get(name, name) for name in arguments)})"
     # A label that already reads as the call says it all: "Search(Red crate)" for Search(red_crate); of any other call it would lie.
-    notes = [] if _folded(label) in {_folded(call), _folded(called)} else [call]
+    notes = [] if folded_name(label) in {folded_name(call), folded_name(called)} else [call]
     if node.resources is not None:
-        notes.append(f"only {_listed(node.resources)}")
+        notes.append(f"only {_listed([one_line(names.robot_types.get(name, name)) for name in node.resources])}")
     return ShapeNode(node.id, label, ", ".join(notes), "routine", None)
 
 
-def _folded(call: str) -> str:
-    """A call as calls are compared: letters, digits and what parts its arguments."""
+def folded_name(call: str) -> str:
+    """A call or a name as they are compared: letters, digits and what parts arguments."""
     return "".join(sign for sign in call.casefold() if sign.isalnum() or sign in "(,")
 
 
@@ -126,7 +184,8 @@ def _grounded(tree: GroundedTree) -> Shape:
     for index, node in enumerate(tree.nodes):
         label, below = one_line(node.label), tree.children[index]
         if node.action is not None:
-            nodes.append(ShapeNode(f"#{index}", label, "", "action", None))
+            note = "" if node.action.sync is None else f"joint work {node.action.sync + 1}"
+            nodes.append(ShapeNode(f"#{index}", label, note, "action", None, node.action.role))
         elif node.kind == "xor" and not below:
             nodes.append(ShapeNode(f"#{index}", label, "nobody can do it", "impossible", None))
         else:
