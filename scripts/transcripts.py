@@ -29,7 +29,7 @@ from missiontree.authoring.transcript import Origin
 from missiontree.briefing import request_from
 from missiontree.llm.chat import Message, Tool, ToolCall
 from missiontree.mission.brief import MissionBrief
-from missiontree.reporting.tree_view import tree_svg
+from missiontree.reporting.tree.view import tree_svg
 from missiontree.samples.dialogues import DIALOGUES, mission_file, transcript_file
 
 SCRIPTS = Path(__file__).with_name("dialogues")

@@ -40,7 +40,7 @@ from missiontree.mission.routine import Routine
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.tree import MissionTree
-from missiontree.reporting.tree_view import tree_svg
+from missiontree.reporting.tree.view import tree_svg
 from missiontree.routines.ground import ground
 from missiontree.scheduling import SCHEDULERS
 

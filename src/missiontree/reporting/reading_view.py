@@ -13,7 +13,7 @@ from missiontree.mission.entity import Entity
 from missiontree.mission.plan import Plan
 from missiontree.mission.tree import MissionTree
 from missiontree.reporting.text import reason_line, render, said_once, words
-from missiontree.reporting.tree_shape import link_words, shape_of
+from missiontree.reporting.tree.shape import link_words, shape_of
 
 
 def reading_text(plan: Plan, width: int = 100) -> str:

@@ -19,8 +19,8 @@ from missiontree.mission.schedule import Schedule
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.references import refuse_dangling
 from missiontree.reporting.spent_view import author_in_words
-from missiontree.reporting.timeline import timeline
-from missiontree.reporting.tree_view import tree_text
+from missiontree.reporting.timeline.view import timeline
+from missiontree.reporting.tree.view import tree_text
 
 HEADLINES: dict[Outcome, tuple[str, str]] = {
     "delivered": ("Plan", "bold green"),

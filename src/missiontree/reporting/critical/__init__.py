@@ -1,0 +1,1 @@
+"""The critical chain: what makes a schedule as long as it is."""

@@ -1,0 +1,194 @@
+"""
+What holds back every start and every end of a schedule, read off the schedule itself.
+
+Times are whole milliseconds, the grid of schedules. An event can be no earlier than any of its causes allows: the cause's own
+time and what has to pass in between, a way or an action. It is *bound* by a cause if it comes at exactly that time.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator
+from typing import Literal, NamedTuple
+
+from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.reporting.critical.spans import Spans, ms
+
+Bond = Literal["start", "role", "travel", "robot", "order", "entity", "partner", "until", "under_way", "unexplained"]
+Passing = Literal["", "action", "travel", "under_way"]
+
+
+class Event(NamedTuple):
+    """Start or end of an action, or the departure of the robot that does it."""
+
+    kind: Literal["start", "end", "departure"]
+    leaf: int
+
+
+class Cause(NamedTuple):
+    """
+    Something an event has to wait for.
+
+    Parameters
+    ----------
+    bond
+        Why.
+    event
+        What comes before.
+    lag
+        Milliseconds that pass in between, at least.
+    passing
+        What happens in them; empty if none pass.
+    """
+
+    bond: Bond
+    event: Event
+    lag: int = 0
+    passing: Passing = ""
+
+
+class Bonds:
+    """
+    Causes of every event of a schedule.
+
+    Parameters
+    ----------
+    tree
+        The grounded tree.
+    schedule
+        A schedule over its leaves.
+    """
+
+    def __init__(self, tree: GroundedTree, schedule: Schedule) -> None:
+        self.tree = tree
+        self.at: dict[int, ScheduledAction] = {one.leaf: one for one in schedule.actions}
+        self.legs: dict[int, TravelLeg] = {leg.leaf: leg for leg in schedule.legs if self._leads(leg)}
+        self._before: dict[int, int] = {}  # what stands before an action in its role
+        self._joint: dict[int, list[int]] = {}
+        self._robots: dict[str, list[tuple[int, int, int]]] = {}  # end, start, leaf
+        self._brought: dict[str, list[int]] = {}  # leaves that move an entity
+        self._used: dict[str, list[int]] = {}  # leaves done where an entity is
+        self._sort_leaves()
+        self._spans = Spans(tree, self.at)
+        self._held = self._spans.inherited("precedence")
+        self._ended_by = self._spans.inherited("until")
+        self._keeps = self._reversed_until()
+
+    def time(self, event: Event) -> int:
+        """When an event happens."""
+        if event.kind == "departure":
+            return ms(self.legs[event.leaf].start_s)
+        one = self.at[event.leaf]
+        return ms(one.start_s if event.kind == "start" else one.end_s)
+
+    def causes(self, event: Event) -> Iterator[Cause]:
+        """What an event waits for, the nearest reasons first."""
+        if event.kind == "end":
+            yield from self._causes_of_end(event.leaf)
+        elif event.kind == "departure":
+            yield from self._free(event)
+        else:
+            yield from self._causes_of_start(event)
+            yield from (Cause("partner", Event("start", mate)) for mate in self.joint(event.leaf) if mate != event.leaf)
+
+    def joint(self, leaf: int) -> list[int]:
+        """Actions that start and end together with one, itself included."""
+        sync = self.tree.action(leaf).sync
+        return [leaf] if sync is None else self._joint[sync]
+
+    def last_below(self, node: int) -> int | None:
+        """The scheduled action below a node that ends last; None if there is none."""
+        return self._spans.last[node]
+
+    def first_below(self, node: int) -> int | None:
+        """The scheduled action below a node that starts first; None if there is none."""
+        return self._spans.first[node]
+
+    def _causes_of_end(self, leaf: int) -> Iterator[Cause]:
+        if (last := self._set_end(leaf)) is not None:
+            yield Cause("until", Event("end", last))
+        else:
+            one = self.at[leaf]
+            yield Cause("start", Event("start", leaf), ms(one.end_s) - ms(one.start_s), "action")
+        for open_ended in self._keeps.get(leaf, ()):
+            yield Cause("under_way", Event("start", open_ended), 1, "under_way")
+
+    def _set_end(self, leaf: int) -> int | None:
+        """The action whose end an open-ended one, or its joint partner, lasts until, and does."""
+        for mate in self.joint(leaf):
+            last = self._ended_by.get(mate) if self.tree.action(mate).open_ended else None
+            if last is not None and last != leaf and ms(self.at[last].end_s) == ms(self.at[leaf].end_s):
+                return last
+        return None
+
+    def _causes_of_start(self, event: Event) -> Iterator[Cause]:
+        leaf = event.leaf
+        if leaf in self._before:
+            yield Cause("role", Event("end", self._before[leaf]))
+        if leaf in self.legs:
+            leg = self.legs[leaf]
+            yield Cause("travel", Event("departure", leaf), max(0, ms(leg.end_s) - ms(leg.start_s)), "travel")
+        if (last := self._held.get(leaf)) is not None:
+            yield Cause("order", Event("end", last))
+        yield from self._free(event)
+        yield from self._entities(event)
+        for open_ended in self._keeps.get(leaf, ()):
+            if leaf in self._ended_by:
+                yield Cause("under_way", Event("start", open_ended), 1, "under_way")
+
+    def _free(self, event: Event) -> Iterator[Cause]:
+        """The end of what the robot did before."""
+        done, now = self._robots[self.at[event.leaf].robot], self.time(event)
+        place = bisect_right(done, (now, now, len(self.tree.nodes)))
+        latest: int | None = None
+        for end, _, leaf in reversed(done[:place]):
+            if leaf == event.leaf:
+                continue
+            if latest is not None and end < latest:
+                return
+            latest = end
+            yield Cause("robot", Event("end", leaf))
+
+    def _entities(self, event: Event) -> Iterator[Cause]:
+        """Who is brought here first, and who still needs what is to be taken away."""
+        action, now = self.tree.action(event.leaf), self.time(event)
+        mates = self.joint(event.leaf)
+        for name in dict.fromkeys(filter(None, (action.at, *action.brings))):
+            for leaf in self._brought.get(name, ()):
+                if leaf not in mates and ms(self.at[leaf].end_s) <= now:
+                    yield Cause("entity", Event("end", leaf))
+        for name in action.brings:
+            for leaf in self._used.get(name, ()):
+                kind: Literal["start", "end"] = "start" if self.tree.action(leaf).open_ended else "end"
+                if leaf not in mates and self.time(Event(kind, leaf)) <= now:
+                    yield Cause("entity", Event(kind, leaf))
+
+    def _leads(self, leg: TravelLeg) -> bool:
+        """Whether a leg leads to a scheduled action and is not that action itself."""
+        return leg.leaf in self.at and not self.tree.action(leg.leaf).moves
+
+    def _sort_leaves(self) -> None:
+        last_of_role: dict[int, int] = {}
+        for leaf in sorted(self.at):
+            action, one = self.tree.action(leaf), self.at[leaf]
+            if action.role in last_of_role:
+                self._before[leaf] = last_of_role[action.role]
+            last_of_role[action.role] = leaf
+            self._robots.setdefault(one.robot, []).append((ms(one.end_s), ms(one.start_s), leaf))
+            if action.sync is not None:
+                self._joint.setdefault(action.sync, []).append(leaf)
+            if action.at is not None:
+                self._used.setdefault(action.at, []).append(leaf)
+            for name in action.brings:
+                self._brought.setdefault(name, []).append(leaf)
+        for done in self._robots.values():
+            done.sort()
+
+    def _reversed_until(self) -> dict[int, list[int]]:
+        """By action: the open-ended actions that must be under way when it ends."""
+        keeps: dict[int, list[int]] = {}
+        for leaf, last in sorted(self._ended_by.items()):
+            if self.tree.action(leaf).open_ended:
+                keeps.setdefault(last, []).append(leaf)
+        return keeps

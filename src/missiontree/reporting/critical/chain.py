@@ -1,0 +1,143 @@
+"""
+The critical chain of a schedule: what, end to end, makes it take as long as it does.
+
+Found by walking back from the end of the last action: each event is bound by another that comes right before it, down to the
+start of the mission (the critical path of Kelley and Walker, 1959, with robots and ways as in a resource-constrained
+schedule). Shares no code with the schedulers.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.schedule import Schedule
+from missiontree.reporting.critical.bonds import Bond, Bonds, Cause, Event
+from missiontree.reporting.critical.spans import ms
+
+StepKind = Literal["action", "travel", "until", "under_way", "wait"]
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """
+    A stretch of the critical chain.
+
+    Parameters
+    ----------
+    kind
+        ``action``: a whole action. ``travel``: the way to one. ``until``: an open-ended action ends because the step before does;
+        takes no time. ``under_way``: the millisecond that an open-ended action must be under way before the step before may
+        end. ``wait``: nothing in the schedule says why it is waited.
+    leaf
+        The action, or the one travelled to or waited for.
+    robot
+        Who does it.
+    start_s, end_s
+        From when to when; each step starts when the one before ends.
+    bond
+        Why it does not start earlier: ``start`` of the mission; the step before it is what its ``role`` or its ``robot`` does
+        before, the ``travel`` there, an action that comes first by ``order``, one that brings or needs the same ``entity``, one
+        that its joint ``partner`` waits for, or what it lasts ``until``; or ``unexplained``.
+    """
+
+    kind: StepKind
+    leaf: int
+    robot: str
+    start_s: float
+    end_s: float
+    bond: Bond
+
+
+def critical_chain(tree: GroundedTree, schedule: Schedule) -> tuple[Step, ...]:
+    """
+    A critical chain, in order of time: contiguous, from 0 to the end of the last action.
+
+    There may be several; ties go to the same role first, then to travel, order, robot and the smaller leaf. In a schedule that
+    waits without a reason, the chain has a step of kind ``wait`` there. Empty if nothing takes time.
+    """
+    bonds = Bonds(tree, schedule)
+    end = max((ms(one.end_s) for one in schedule.actions), default=0)
+    last = min((leaf for leaf, one in bonds.at.items() if ms(one.end_s) == end), default=None)
+    if last is None or not end:
+        return ()
+    return tuple(_Walk(bonds).steps(Event("end", last)))
+
+
+class _Walk:
+    """The walk back. Steps are found latest first; each is given its bond by what comes next."""
+
+    def __init__(self, bonds: Bonds) -> None:
+        self._bonds = bonds
+        self._found: list[Step] = []
+
+    def steps(self, event: Event) -> list[Step]:
+        """Steps in order of time, up to an event."""
+        while self._bonds.time(event):
+            path, event = self._back(event)
+            for at, cause in path:
+                self._add(at, cause)
+            if self._bonds.time(event):
+                before = self._gap(event)
+                if before is None:
+                    break
+                event = before
+        return self._found[::-1]
+
+    def _back(self, last: Event) -> tuple[list[tuple[Event, Cause]], Event]:
+        """Causes that bind, from an event back to the start of the mission, or else as far as they lead."""
+        came: dict[Event, tuple[Event, Cause] | None] = {last: None}
+        stack, furthest = [last], last
+        while stack:
+            event = stack.pop()
+            time = self._bonds.time(event)
+            if time < self._bonds.time(furthest):
+                furthest = event
+            if not time:
+                break
+            fresh: list[Event] = []
+            for cause in self._bonds.causes(event):
+                if cause.event not in came and self._bonds.time(cause.event) + cause.lag == time:
+                    came[cause.event] = (event, cause)
+                    fresh.append(cause.event)
+            stack.extend(reversed(fresh))
+        path: list[tuple[Event, Cause]] = []
+        way = came[furthest]
+        while way is not None:
+            path.append(way)
+            way = came[way[0]]
+        return path[::-1], furthest
+
+    def _gap(self, event: Event) -> Event | None:
+        """A wait that nothing explains, down to the last cause before it; where that leads, None if there is none."""
+        bonds, time = self._bonds, self._bonds.time(event)
+        past = [cause for cause in bonds.causes(event) if bonds.time(cause.event) + cause.lag < time]
+        cause = max(past, key=lambda cause: bonds.time(cause.event) + cause.lag, default=None)
+        since = 0 if cause is None else bonds.time(cause.event) + cause.lag
+        self._bind("unexplained")
+        self._put("wait", event.leaf, since, time)
+        if cause is None:
+            return None
+        self._add(event, cause)
+        return cause.event
+
+    def _add(self, event: Event, cause: Cause) -> None:
+        """What passes between a cause and what it binds, latest first."""
+        if cause.bond != "start":
+            self._bind(cause.bond)
+        time, leaf = self._bonds.time(cause.event), cause.event.leaf
+        if cause.bond == "until":
+            self._put("until", event.leaf, time, time)
+        elif cause.passing:
+            self._put(cause.passing, leaf, time, time + cause.lag)
+
+    def _put(self, kind: StepKind, leaf: int, start: int, end: int) -> None:
+        robot = self._bonds.at[leaf].robot
+        bond: Bond = "until" if kind == "until" else "start"
+        self._found.append(Step(kind, leaf, robot, start / 1000, end / 1000, bond))
+
+    def _bind(self, bond: Bond) -> None:
+        """The reason why the earliest step so far does not start earlier; the first that is given counts."""
+        if self._found and self._found[-1].bond == "start":
+            self._found[-1] = replace(self._found[-1], bond=bond)

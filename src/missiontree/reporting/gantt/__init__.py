@@ -1,0 +1,1 @@
+"""The picture of a schedule: rows of robots over time, as SVG."""

@@ -1,0 +1,96 @@
+"""What a Gantt chart shows, before anything is placed: rows of robots, their roles, actions, ways and waits, and what joins them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from missiontree.reporting.critical.chain import Step
+from missiontree.reporting.palette import Livery
+
+
+class Bar(NamedTuple):
+    """An action, or several too short to tell apart (``many`` above 1)."""
+
+    leaf: int
+    start_s: float
+    end_s: float
+    label: str
+    way: str
+    moves: bool
+    lit: bool
+    title: str
+    many: int = 1
+
+
+class Stretch(NamedTuple):
+    """A way to an action, labelled with its metres; a wait, with its reason; or a role, from its first action to its last."""
+
+    start_s: float
+    end_s: float
+    label: str
+    title: str
+    lit: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One robot: its name, its type, how it looks, and what it does, each list in order of time."""
+
+    robot: str
+    kind: str
+    livery: Livery
+    bars: Sequence[Bar]
+    ways: Sequence[Stretch]
+    waits: Sequence[Stretch]
+    roles: Sequence[Stretch]
+
+
+class Order(NamedTuple):
+    """
+    An action that waits for the end of another, drawn as an arrow.
+
+    Parameters
+    ----------
+    first, second
+        Leaves.
+    lit
+        The critical chain runs along it.
+    to_end
+        It is the end of the second, not its start, that waits.
+    """
+
+    first: int
+    second: int
+    lit: bool = False
+    to_end: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Content:
+    """
+    Everything in a chart.
+
+    Parameters
+    ----------
+    rows
+        Robots that do something, in the order of the fleet.
+    idle
+        Robots that do nothing.
+    makespan_s
+        End of the last action.
+    chain
+        The critical chain.
+    orders
+        Precedence between robots, and where the chain goes from robot to robot.
+    joint
+        Actions that start and end together.
+    """
+
+    rows: Sequence[Row]
+    idle: Sequence[str]
+    makespan_s: float
+    chain: Sequence[Step]
+    orders: Sequence[Order]
+    joint: Sequence[Sequence[int]]

@@ -1,0 +1,151 @@
+"""A schedule read for a Gantt chart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.plan import Plan
+from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.reporting.critical.bonds import Bonds, Event
+from missiontree.reporting.critical.chain import Step, critical_chain
+from missiontree.reporting.critical.spans import ms
+from missiontree.reporting.escape import one_line
+from missiontree.reporting.gantt.content import Bar, Content, Order, Row, Stretch
+from missiontree.reporting.gantt.time import exact
+from missiontree.reporting.gantt.waits import why_waited
+from missiontree.reporting.palette import Livery, liveries
+
+
+def content_of(plan: Plan, schedule: Schedule) -> Content:
+    """What there is to see of a schedule that has actions."""
+    assert plan.grounding is not None
+    tree = plan.grounding.tree
+    chain = critical_chain(tree, schedule)
+    bonds = Bonds(tree, schedule)
+    own: dict[str, list[ScheduledAction]] = {}
+    for one in bonds.at.values():
+        own.setdefault(one.robot, []).append(one)
+    looks = liveries(plan.brief.fleet)
+    names = [*(robot for robot in looks if robot in own), *sorted(own.keys() - looks.keys())]
+    kinds = plan.brief.fleet.type_of
+    legs = {(leg.robot, leg.leaf): leg for leg in schedule.legs}
+    rows = [
+        _Robot(tree, bonds, chain, legs, sorted(own[robot], key=lambda one: (one.start_s, one.end_s, one.leaf))).row(
+            robot, one_line(kinds[robot].label) if robot in kinds else "", looks.get(robot, Livery(0))
+        )
+        for robot in names
+    ]
+    idle = [robot for robot in looks if robot not in own]
+    joint = sorted({tuple(bonds.joint(leaf)) for leaf in bonds.at if len(bonds.joint(leaf)) > 1})
+    return Content(
+        rows, idle, max(one.end_s for one in schedule.actions), chain, list(_orders(tree, bonds, chain)), joint
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Robot:
+    """Reads one robot's part of a schedule."""
+
+    tree: GroundedTree
+    bonds: Bonds
+    chain: Sequence[Step]
+    legs: dict[tuple[str, int], TravelLeg]
+    done: Sequence[ScheduledAction]
+
+    def row(self, robot: str, kind: str, livery: Livery) -> Row:
+        lit = {(step.kind, step.leaf) for step in self.chain}
+        bars = [
+            self._bar(one, any(("action", mate) in lit for mate in self.bonds.joint(one.leaf))) for one in self.done
+        ]
+        ways = [
+            self._way(leg, ("travel", one.leaf) in lit)
+            for one in self.done
+            if (leg := self.bonds.legs.get(one.leaf)) is not None and leg.robot == robot
+        ]
+        return Row(robot, kind, livery, bars, ways, list(self._waits()), self._roles())
+
+    def _bar(self, one: ScheduledAction, lit: bool) -> Bar:
+        action = self.tree.action(one.leaf)
+        leg = self.legs.get((one.robot, one.leaf))
+        way = f"{leg.distance_m:,.0f} m" if action.moves and leg is not None and leg.distance_m >= 0.5 else ""
+        text = one_line(action.text)
+        lines = [
+            text,
+            f"{one.robot}, {exact(one.start_s)} to {exact(one.end_s)} ({exact(one.end_s - one.start_s)})",
+            f"part of {one_line(self.tree.roles[action.role].label)}",
+        ]
+        if action.moves and leg is not None:
+            lines.append(_distance(leg))
+        return Bar(one.leaf, one.start_s, one.end_s, text, way, action.moves, lit, "\n".join(lines))
+
+    def _way(self, leg: TravelLeg, lit: bool) -> Stretch:
+        text = one_line(self.tree.action(leg.leaf).text)
+        title = f"on the way to: {text}\n{leg.robot}, {exact(leg.start_s)} to {exact(leg.end_s)}\n{_distance(leg)}"
+        label = f"{leg.distance_m:,.0f} m" if leg.distance_m >= 0.5 else ""
+        return Stretch(leg.start_s, leg.end_s, label, title, lit)
+
+    def _waits(self) -> Iterator[Stretch]:
+        """Time in which the robot is held, or there already, and does nothing."""
+        begun: set[int] = set()
+        before: ScheduledAction | None = None
+        for one in self.done:
+            role, leg = self.tree.action(one.leaf).role, self.bonds.legs.get(one.leaf)
+            gaps = [(leg.end_s, one.start_s)] if leg is not None else []
+            if before is not None and role in begun:
+                gaps.insert(0, (before.end_s, one.start_s if leg is None else leg.start_s))
+            for since, until in gaps:
+                if ms(since) < ms(until):
+                    reason = why_waited(self.bonds, one.leaf)
+                    title = f"{one.robot} waits, {exact(since)} to {exact(until)} ({exact(until - since)})"
+                    yield Stretch(since, until, reason, f"{title}\n{reason}".rstrip())
+            begun.add(role)
+            before = one
+
+    def _roles(self) -> list[Stretch]:
+        spans: dict[int, tuple[float, float]] = {}
+        for one in self.done:
+            role = self.tree.action(one.leaf).role
+            start, end = spans.get(role, (one.start_s, one.end_s))
+            spans[role] = (min(start, one.start_s), max(end, one.end_s))
+        return [
+            Stretch(start, end, label, f"{label}\n{exact(start)} to {exact(end)} ({exact(end - start)})")
+            for role, (start, end) in sorted(spans.items(), key=lambda span: (span[1], span[0]))
+            if (label := one_line(self.tree.roles[role].label)) is not None
+        ]
+
+
+def _distance(leg: TravelLeg) -> str:
+    return f"{leg.distance_m:.1f} m" + (f" via {', '.join(leg.via)}" if leg.via else "")
+
+
+def _orders(tree: GroundedTree, bonds: Bonds, chain: Sequence[Step]) -> Iterator[Order]:
+    """Where the chain changes robots, then precedence links between robots, each pair of actions once."""
+    seen: set[tuple[int, int]] = set()
+    for before, after in pairwise(chain):
+        if before.kind in {"action", "until"} and after.kind != "wait":
+            second = _waiting(bonds, before, after)
+            if bonds.at[second].robot != before.robot:
+                seen.add((before.leaf, second))
+                yield Order(before.leaf, second, lit=True, to_end=after.kind == "until")
+    for link in tree.links:
+        if link.kind == "precedence":
+            first, last = bonds.last_below(link.first), bonds.first_below(link.second)
+            if first is None or last is None or (first, last) in seen:
+                continue
+            if bonds.at[first].robot != bonds.at[last].robot:
+                seen.add((first, last))
+                yield Order(first, last)
+
+
+def _waiting(bonds: Bonds, before: Step, after: Step) -> int:
+    """Who waits for a step of the chain: the action after it, or the joint partner that the action waits for."""
+    if after.bond == "partner":
+        for mate in bonds.joint(after.leaf):
+            start = Event("start", mate)
+            for cause in bonds.causes(start):
+                if cause.event == Event("end", before.leaf) and bonds.time(cause.event) == bonds.time(start):
+                    return mate
+    return after.leaf

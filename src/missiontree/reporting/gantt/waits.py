@@ -1,0 +1,37 @@
+"""What a robot waits for that is held and does nothing."""
+
+from __future__ import annotations
+
+from missiontree.reporting.critical.bonds import Bonds, Cause, Event
+from missiontree.reporting.escape import one_line
+
+_TOLD = ("order", "entity", "partner", "under_way")
+
+
+def why_waited(bonds: Bonds, leaf: int) -> str:
+    """In a line, what binds the start of an action, or its end; empty if the schedule does not say."""
+    causes = [*_binding(bonds, Event("start", leaf)), *_binding(bonds, Event("end", leaf))]
+    told = [cause for cause in causes if cause.bond in _TOLD and not _idle_partner(bonds, cause)]
+    cause = min(told, key=lambda cause: _TOLD.index(cause.bond), default=None)
+    return "" if cause is None else _told(bonds, cause)
+
+
+def _binding(bonds: Bonds, event: Event) -> list[Cause]:
+    time = bonds.time(event)
+    return [cause for cause in bonds.causes(event) if bonds.time(cause.event) + cause.lag == time]
+
+
+def _idle_partner(bonds: Bonds, cause: Cause) -> bool:
+    """Whether a cause is a joint partner that starts then for no reason of its own."""
+    if cause.bond != "partner":
+        return False
+    return all(deeper.bond == "partner" for deeper in _binding(bonds, cause.event))
+
+
+def _told(bonds: Bonds, cause: Cause) -> str:
+    text, who = one_line(bonds.tree.action(cause.event.leaf).text), bonds.at[cause.event.leaf].robot
+    if cause.bond == "partner":
+        return f"for {who}, to do it together"
+    if cause.bond == "under_way":
+        return f"until {who} has begun: {text}"
+    return f"for {who}: {text}"

@@ -1,0 +1,1 @@
+"""A schedule as text, in a terminal's width."""
