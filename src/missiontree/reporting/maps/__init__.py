@@ -1,0 +1,1 @@
+"""The picture of the scene: places, ways, things, and the robots' routes, as SVG."""

@@ -1,0 +1,1 @@
+"""Alternatives side by side: who does what, what it yields and takes."""
