@@ -11,8 +11,11 @@ The layout is the table of contents, and the data travels through it::
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
+
+from missiontree.mission.shown import draw_with
 
 if TYPE_CHECKING:
     from missiontree.authoring.budgets import Budgets
@@ -78,6 +81,9 @@ __all__ = [
 ]
 
 
+_DRAWERS = {"Plan": ("reporting.html.notebook", "plan_html")}
+
+
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module 'missiontree' has no attribute {name!r}")
@@ -86,3 +92,17 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     return [*__all__, "__version__"]
+
+
+def _drawn_by(home: str, function: str) -> Callable[[Any], str]:
+    """A function that is loaded when it is first called."""
+
+    def draw(value: Any) -> str:
+        drawn: str = getattr(import_module(f"missiontree.{home}"), function)(value)
+        return drawn
+
+    return draw
+
+
+for _kind, _home in _DRAWERS.items():
+    draw_with(_kind, _drawn_by(*_home))

@@ -11,6 +11,7 @@ from missiontree.mission.brief import MissionBrief
 from missiontree.mission.grounded import Grounding
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.shown import html_of
 from missiontree.mission.spent import Spent
 from missiontree.mission.tree import MissionTree
 from missiontree.mission.value import Id, Value
@@ -96,3 +97,7 @@ class Plan(Value):
     findings: tuple[Reason, ...] = ()
     digests: Mapping[str, str] = field(default_factory=dict)
     provenance: Provenance
+
+    def _repr_html_(self) -> str | None:
+        """The plan as notebooks show it."""
+        return html_of(self)
