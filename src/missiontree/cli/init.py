@@ -13,25 +13,27 @@ from missiontree.cli.exits import Exit
 from missiontree.cli.plan import save
 from missiontree.cli.screen import say
 from missiontree.errors import InputError
+from missiontree.samples.catalogue import SAMPLES, sample_files
 
 
 def command(
     folder: Annotated[Path, typer.Argument(help="Folder to write into; made if there is none.")] = Path(),
+    sample: Annotated[
+        str,
+        typer.Option("--sample", metavar="NAME", help=f"The sample to write: {', '.join(SAMPLES)}."),
+    ] = "site",
     colour: options.Colour = None,
 ) -> int:
-    """Write a fleet, a scene, a routine, a method and a mission to start from. Nothing is overwritten."""
-    from missiontree.samples.catalogue import PROJECT
-
-    sources = sorted(file for file in PROJECT.rglob("*") if file.suffix in {".yaml", ".md"})
-    targets = [folder / file.relative_to(PROJECT) for file in sources]
-    if taken := [target for target in targets if os.path.lexists(target)]:
+    """Write a mission with its fleet, and its scene, routines and methods if it has some, to start from. Nothing is overwritten."""
+    files = {folder / name: source for name, source in sample_files(sample).items()}
+    if taken := [target for target in files if os.path.lexists(target)]:
         raise InputError(
             "the file is there already",
             file=str(taken[0]),
             accepted="a folder without these files",
             hint="Nothing was written.",
         )
-    for source, target in zip(sources, targets, strict=True):
+    for target, source in files.items():
         try:
             target.parent.mkdir(parents=True, exist_ok=True)
         except OSError as error:

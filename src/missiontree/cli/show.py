@@ -4,27 +4,50 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES
-from missiontree.cli.plan import save
-from missiontree.cli.screen import show
+from missiontree.cli.pictures import Asked, refuse_impossible, write_pictures
+from missiontree.cli.ranks import known_rank
+from missiontree.cli.screen import remark, show
+from missiontree.cli.views import known_view, order_view, view_of
 from missiontree.errors import InputError
-
-if TYPE_CHECKING:
-    from rich.console import RenderableType
-
-    from missiontree.mission.plan import Plan
 
 
 def command(
     plan: Annotated[Path, typer.Argument(help="A plan file, as `missiontree plan --out` writes it.")],
     tree: Annotated[
-        Path | None, typer.Option("--tree", metavar="FILE", help="Draw the mission tree into this SVG file.")
+        Path | None, typer.Option("--tree", metavar="FILE", help="Draw the mission tree into this .svg or .png file.")
     ] = None,
+    gantt: Annotated[
+        Path | None, typer.Option("--gantt", metavar="FILE", help="Draw the schedule into this .svg or .png file.")
+    ] = None,
+    map_file: Annotated[
+        Path | None, typer.Option("--map", metavar="FILE", help="Draw the map into this .svg or .png file.")
+    ] = None,
+    report: Annotated[
+        Path | None, typer.Option("--report", metavar="FILE", help="Write everything into this one .html file.")
+    ] = None,
+    rank: Annotated[
+        int | None,
+        typer.Option(
+            "--rank",
+            metavar="N",
+            help="Alternative to be shown. Default: the best that has a schedule; in the tree, none.",
+        ),
+    ] = None,
+    unfolded: Annotated[
+        bool, typer.Option("--unfolded", help="Show the tree with every way to do it, by every robot type.")
+    ] = False,
+    view: Annotated[
+        str,
+        typer.Option(
+            "--view", metavar="NAME", help="Print the plan (default), or its tree, schedule, map, team or order alone."
+        ),
+    ] = "plan",
     transcript: Annotated[bool, typer.Option("--transcript", help="Print the dialogue that built the tree.")] = False,
     order: Annotated[
         int | None,
@@ -36,42 +59,25 @@ def command(
     """Show a plan."""
     from missiontree.formats.document import read_file, write_text
 
+    asked = Asked(tree, gantt, map_file, report, rank, unfolded)
+    refuse_impossible(asked)
+    if known_view(view) == "plan" and not asked.files and (rank is not None or unfolded):
+        view = "tree" if unfolded else "schedule"
     value = read_file(plan, "plan")
-    if tree is not None and value.tree is not None:
-        from missiontree.reporting.tree_view import tree_svg
-
-        save(tree, tree_svg(value.tree))
-    if transcript:
-        typer.echo("\n".join(value.provenance.transcript))
-    elif order is not None:
-        show(_order(value, order), colour)
-    elif as_json:
-        typer.echo(write_text(value, "plan"), nl=False)
-    else:
-        show(_view(plan, value), colour)
-    return OUTCOMES[value.outcome]
-
-
-def _order(plan: Plan, rank: int) -> RenderableType:
-    """Each robot's actions in a topological order, as the paper gives them (section III-C): no clock, only what comes before what."""
-    from missiontree.reporting.text import orders_view
-    from missiontree.scheduling.precedence import order_by_robot, task_graph
-
-    alternatives = plan.ranking.alternatives if plan.ranking else ()
-    if plan.grounding is None or not 1 <= rank <= len(alternatives):
-        ranks = f"1 to {len(alternatives)}" if alternatives else "the plan has no alternatives"
-        raise InputError(f"--order {rank}", accepted=ranks)
-    tree, alternative = plan.grounding.tree, alternatives[rank - 1]
-    assigned = next((one.assignments for one in plan.schedules if one.rank == rank), ()) or alternative.witness
-    robots = {filled.role: filled.robot_type for filled in alternative.roles}
-    robots |= {filled.role: filled.robot for filled in assigned}
-    return orders_view(tree, order_by_robot(task_graph(tree, alternative.choices), robots))
-
-
-def _view(path: Path, plan: Plan) -> RenderableType:
-    from missiontree.reporting.text import plan_view
-
     try:
-        return plan_view(plan)
+        written = write_pictures(value, asked)
+        if transcript:
+            typer.echo("\n".join(value.provenance.transcript))
+        elif order is not None:
+            show(order_view(value, known_rank(value, order, "--order")), colour)
+        elif as_json:
+            typer.echo(write_text(value, "plan"), nl=False)
+        else:
+            show(view_of(value, view, rank, unfolded), colour)
     except InputError as error:
-        raise replace(error, file=str(path)) from error
+        if error.file:
+            raise
+        raise replace(error, file=str(plan)) from error
+    for file in written:
+        remark(f"written to {file}", colour)
+    return OUTCOMES[value.outcome]
