@@ -21,6 +21,7 @@ from missiontree.formats.document import write_text
 from missiontree.llm.chat import Message
 from missiontree.llm.recording import Answered, Recording, read_recording
 from missiontree.mission.plan import Plan
+from missiontree.samples.catalogue import PAPER as THE_PAPERS
 from missiontree.samples.catalogue import SAMPLES
 from missiontree.samples.dialogues import DIALOGUES, FOLDER, mission_file, transcript_file
 from scripts.transcripts import SCRIPTS, Script, brief_of, main, played, text_of
@@ -127,7 +128,7 @@ def test_the_others_are_right_by_the_suite_they_come_from(name: str) -> None:
 
 def test_there_are_the_papers_five_and_ten_more() -> None:
     assert (len(PAPER), len(OTHERS)) == (5, 10)
-    assert sorted(PAPER) == sorted(set(SAMPLES) - {"site"})
+    assert sorted(PAPER) == sorted(THE_PAPERS)
 
 
 @pytest.mark.parametrize("name", DIALOGUES)
