@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from missiontree import plan
-from missiontree.reporting.tree_view import tree_svg
+from missiontree.reporting.tree.view import tree_svg
 from missiontree.samples.catalogue import sample_file
 from tests.docs.outputs import ROOT, pages, refreshed
 
