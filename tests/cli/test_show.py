@@ -140,3 +140,32 @@ def test_the_parts_of_a_plan_have_forms_for_the_terminal(site: Shell) -> None:
     assert "alternative 3" in site("show", "plan.json", "--view", "team").out
     assert site("show", "plan.json", "--view", "order").out == site("show", "plan.json", "--order", "1").out
     assert site("show", "plan.json", "--view", "plan").out == site("show", "plan.json").out
+
+
+def test_planning_writes_the_same_report_as_showing_the_plan(shell: Shell, tmp_path: Path) -> None:
+    planned = shell("plan", "--sample", "clinic", "--out", "plan.json", "--report", "one.html")
+    assert (planned.code, planned.err.splitlines()[-1]) == (0, "written to one.html")
+    assert shell("show", "plan.json", "--report", "two.html").code == 0
+    assert (tmp_path / "one.html").read_bytes() == (tmp_path / "two.html").read_bytes()
+
+
+def test_a_declined_mission_has_a_report_too(shell: Shell, tmp_path: Path) -> None:
+    assert shell("plan", "--sample", "restaurants", "--quiet", "--report", "no.html").code == 1
+    assert "recommend" in (tmp_path / "no.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        (["--report", "report.txt"], "report.txt: --report: it ends in .txt"),
+        (["--report", "no/report.html"], "There is no folder no."),
+        (["--report", "a.html", "--out", "a.html"], "--out and --report name the same file"),
+    ],
+)
+def test_reports_that_cannot_be_written_are_refused_before_planning(
+    shell: Shell, tmp_path: Path, options: list[str], told: str
+) -> None:
+    refused = shell("plan", "--sample", "reunite", *options)
+    assert (refused.code, refused.out) == (2, "")
+    assert told in refused.err
+    assert list(tmp_path.iterdir()) == []

@@ -12,8 +12,8 @@ import typer
 
 from missiontree.cli import options
 from missiontree.cli.exits import Exit
+from missiontree.cli.files import refuse_unwritable, save
 from missiontree.cli.gathering import budgets_from
-from missiontree.cli.plan import refuse_unwritable, save
 from missiontree.cli.screen import remark, show
 from missiontree.errors import InputError
 

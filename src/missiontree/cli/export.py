@@ -11,8 +11,8 @@ import typer
 from missiontree.cli import options
 from missiontree.cli.exits import Exit
 from missiontree.cli.exporting import Export
+from missiontree.cli.files import refuse_unwritable, save
 from missiontree.cli.gathering import gather
-from missiontree.cli.plan import refuse_unwritable, save
 from missiontree.cli.recordings import files_of, from_file
 from missiontree.cli.screen import remark
 from missiontree.errors import InputError

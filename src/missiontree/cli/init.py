@@ -10,7 +10,7 @@ import typer
 
 from missiontree.cli import options
 from missiontree.cli.exits import Exit
-from missiontree.cli.plan import save
+from missiontree.cli.files import save
 from missiontree.cli.screen import say
 from missiontree.errors import InputError
 from missiontree.samples.catalogue import SAMPLES, sample_files

@@ -10,7 +10,7 @@ import typer
 
 from missiontree.cli import options
 from missiontree.cli.exits import Exit
-from missiontree.cli.plan import refuse_unwritable, save
+from missiontree.cli.files import refuse_unwritable, save
 from missiontree.cli.screen import remark
 from missiontree.errors import InputError
 

@@ -54,7 +54,12 @@ Alternatives = Annotated[
 Sample = Annotated[
     str | None,
     typer.Option(
-        "--sample", metavar="NAME", help="Plan a sample: reunite, rescue, luggage, monster, restaurants, site."
+        "--sample",
+        metavar="NAME",
+        help=(
+            "Plan a sample: the paper's reunite, rescue, luggage, monster, restaurants; site; or airport, clinic, college, "
+            "depot, harbour, home, museum, orchard, tunnel, wind_farm."
+        ),
     ),
 ]
 Model = Annotated[

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from missiontree.cli.plan import refuse_unwritable
+from missiontree.cli.files import refuse_clashing, refuse_unwritable, save
 from missiontree.cli.ranks import best_rank, known_rank, nothing, scheduled_rank
 from missiontree.errors import InputError
 
@@ -56,7 +56,7 @@ def refuse_impossible(asked: Asked) -> None:
     InputError
         With what is accepted instead.
     """
-    taken: dict[Path, str] = {}
+    refuse_clashing(asked.files)
     for option, file in asked.files.items():
         forms = WRITTEN if option == "--report" else DRAWN
         if file.suffix.lower() not in forms:
@@ -67,9 +67,6 @@ def refuse_impossible(asked: Asked) -> None:
                 accepted=f"a name that ends in {' or '.join(forms)}",
             )
         refuse_unwritable(file)
-        if file in taken:
-            raise InputError(f"{taken[file]} and {option} name the same file", file=str(file), accepted="two files")
-        taken[file] = option
 
 
 def write_pictures(plan: Plan, asked: Asked) -> tuple[Path, ...]:
@@ -91,7 +88,7 @@ def write_pictures(plan: Plan, asked: Asked) -> tuple[Path, ...]:
     }
     made = [(file, _in_form(file, makers[option]())) for option, file in asked.files.items()]
     for file, content in made:
-        _save(file, content)
+        save(file, content)
     return tuple(file for file, _ in made)
 
 
@@ -135,10 +132,3 @@ def _in_form(file: Path, drawn: str) -> bytes:
 
         return png_of(drawn)
     return drawn.encode("utf-8")
-
-
-def _save(file: Path, content: bytes) -> None:
-    try:
-        file.write_bytes(content)
-    except OSError as error:
-        raise InputError("the file cannot be written", file=str(file), hint=error.strerror or str(error)) from error

@@ -9,11 +9,12 @@ import typer
 
 from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES
+from missiontree.cli.files import refuse_clashing, refuse_unwritable, save
 from missiontree.cli.gathering import author_named, budgets_from, gather
 from missiontree.cli.interrupt import controlled
+from missiontree.cli.pictures import Asked, refuse_impossible, write_pictures
 from missiontree.cli.screen import remark, show
 from missiontree.cli.watching import authored, hint_at_keys
-from missiontree.errors import InputError
 
 if TYPE_CHECKING:
     from missiontree.mission.plan import Plan
@@ -48,6 +49,10 @@ def command(
     out: Annotated[
         Path | None, typer.Option("--out", metavar="FILE", help="Write the plan to this file, as JSON.")
     ] = None,
+    report: Annotated[
+        Path | None,
+        typer.Option("--report", metavar="FILE", help="Write all there is to see into this one .html file."),
+    ] = None,
     explain_reading: Annotated[
         bool,
         typer.Option(
@@ -80,6 +85,9 @@ def command(
     )
     for file in (out, record):
         refuse_unwritable(file)
+    refuse_clashing({"--out": out, "--record": record, "--report": report})
+    asked = Asked(report=report)
+    refuse_impossible(asked)
     from missiontree.planner import check_allocator, plan_authored
 
     check_allocator(request)
@@ -93,6 +101,9 @@ def command(
         if plan.outcome == "exhausted" and control.stop():
             raise KeyboardInterrupt
     deliver(plan, out, record, as_json, quiet, colour, explain_reading)
+    for file in write_pictures(plan, asked):
+        if not (quiet or as_json):
+            remark(f"written to {file}", colour)
     return OUTCOMES[plan.outcome]
 
 
@@ -125,32 +136,3 @@ def deliver(
         show(plan_view(plan), colour)
     if out is not None and not quiet:
         remark(f"written to {out}", colour)
-
-
-def refuse_unwritable(path: Path | None) -> None:
-    """
-    Refuse, before anything is planned, a file that could not be written afterwards.
-
-    Raises
-    ------
-    InputError
-        If its folder is not there or it is a folder itself.
-    """
-    if path is not None and (path.is_dir() or not path.parent.is_dir()):
-        found = "it is a folder" if path.is_dir() else f"there is no folder {path.parent}"
-        raise InputError("the file cannot be written", file=str(path), hint=f"{found[0].upper()}{found[1:]}.")
-
-
-def save(path: Path, text: str) -> None:
-    """
-    Write a file whole.
-
-    Raises
-    ------
-    InputError
-        If it cannot be written.
-    """
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise InputError("the file cannot be written", file=str(path), hint=error.strerror or str(error)) from error

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from missiontree.cli.exits import Exit
-from missiontree.cli.plan import save
+from missiontree.cli.files import save
 from missiontree.errors import InputError
 
 
