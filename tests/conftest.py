@@ -7,6 +7,8 @@ import os
 import pytest
 from hypothesis import HealthCheck, settings
 
+from tests.browser.chromium import chromium
+
 NAMING = {"MISSIONTREE_MODEL", "MISSIONTREE_BASE_URL", "OPENAI_BASE_URL", "ANTHROPIC_BASE_URL"}
 
 settings.register_profile(
@@ -17,6 +19,17 @@ settings.register_profile(
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
 )
 settings.load_profile("missiontree")
+
+# Where there is no Chromium the tests of the page are left out, and the first lines say so. In CI there is one, or they fail.
+_without_page = chromium() is None and not os.environ.get("CI")
+collect_ignore = ["browser"] if _without_page else []
+
+
+def pytest_report_header() -> str:
+    """Say whether the page is tested."""
+    return (
+        "page: not tested, for there is no Chromium on the path" if _without_page else f"page: tested in {chromium()}"
+    )
 
 
 @pytest.fixture(autouse=True)

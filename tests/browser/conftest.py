@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -12,8 +11,8 @@ from playwright.sync_api import Browser, Page, sync_playwright
 from missiontree import plan
 from missiontree.reporting.html.report import report_html
 from missiontree.samples.catalogue import sample_file
+from tests.browser.chromium import chromium
 
-NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 LISTEN = """
 window.refused = [];
 document.addEventListener("securitypolicyviolation", (event) => window.refused.push(event.violatedDirective));
@@ -23,7 +22,7 @@ document.addEventListener("securitypolicyviolation", (event) => window.refused.p
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
     """Chromium, as the machine has it; these tests are nothing without one."""
-    found = next((path for name in NAMES if (path := shutil.which(name)) is not None), None)
+    found = chromium()
     assert found is not None, "no Chromium on the path; install one (Debian: apt-get install chromium)"
     with sync_playwright() as driver:
         opened = driver.chromium.launch(executable_path=found, args=["--no-sandbox"])

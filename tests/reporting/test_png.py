@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from missiontree.errors import InputError
-from missiontree.reporting.png import MOST_PIXELS, png_of, size_of
+from missiontree.reporting.png import MOST_PIXELS, packaged_fonts, png_of, size_of
 from missiontree.reporting.tree.view import tree_svg
 from tests.builders import reunite_tree
 
@@ -36,6 +36,12 @@ def test_the_same_picture_gives_the_same_bytes() -> None:
 
 def test_words_leave_a_mark() -> None:
     assert png_of(svg(60, 20, '<text x="2" y="15">Mom</text>')) != png_of(svg(60, 20))
+
+
+def test_a_machine_without_fonts_writes_with_the_one_that_was_installed() -> None:
+    (folder,) = packaged_fonts()
+    named = '<text x="2" y="15" font-family="Helvetica, sans-serif">Mom</text>'
+    assert png_of(svg(60, 20, named), font_dirs=[folder]) != png_of(svg(60, 20))
 
 
 def test_where_there_is_no_font_that_is_said(tmp_path: Path) -> None:

@@ -6,11 +6,14 @@ import math
 import re
 from collections.abc import Sequence
 from functools import lru_cache
+from importlib.util import find_spec
+from pathlib import Path
 
 from missiontree.errors import InputError
 
 MOST_PIXELS = 60_000_000
 LEAST_ZOOM = 0.5
+PACKAGED = "Source Sans Pro"
 _PROBE = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20"><text x="2" y="15" font-size="13" '
     'font-family="Helvetica, Arial, &quot;DejaVu Sans&quot;, sans-serif">{}</text></svg>'
@@ -29,7 +32,8 @@ def png_of(svg: str, zoom: float = 2.0, font_dirs: Sequence[str] | None = None) 
         Pixels per unit of the picture, above 0; default 2, sharp on a dense screen. A picture that would have more than 60 million
         pixels is drawn at what is left of the zoom, down to a half.
     font_dirs
-        Folders with fonts, for the same bytes on every machine. Default: the fonts of the machine.
+        Folders with fonts, for the same bytes on every machine. Default: the fonts of the machine, and where it has none, the one that is
+        installed with this package.
 
     Raises
     ------
@@ -38,7 +42,7 @@ def png_of(svg: str, zoom: float = 2.0, font_dirs: Sequence[str] | None = None) 
     """
     if not 0 < zoom < math.inf:
         raise InputError(f"zoom {zoom:g}", accepted="a number above 0")
-    fonts = None if font_dirs is None else tuple(font_dirs)
+    fonts = _fonts_of_the_machine() if font_dirs is None else tuple(font_dirs)
     if not _can_write(fonts):
         raise InputError(
             "there is no font to write the words of a PNG picture with",
@@ -73,6 +77,19 @@ def size_of(svg: str) -> tuple[float, float]:
     return width, height
 
 
+@lru_cache(maxsize=1)
+def _fonts_of_the_machine() -> tuple[str, ...] | None:
+    """None for the machine's own, as long as a word can be written with them."""
+    return None if _can_write(None) else packaged_fonts()
+
+
+def packaged_fonts() -> tuple[str, ...]:
+    """Folders of the fonts that are installed as packages: Source Sans Pro, narrower than what the pictures leave room for."""
+    found = find_spec("font_source_sans_pro")
+    homes = found.submodule_search_locations if found is not None else None
+    return tuple(str(Path(home) / "files") for home in homes or ())
+
+
 @lru_cache(maxsize=8)
 def _can_write(fonts: tuple[str, ...] | None) -> bool:
     """Whether a letter leaves a mark; a library without fonts leaves words out and says nothing."""
@@ -88,5 +105,6 @@ def _drawn(svg: str, zoom: float, fonts: tuple[str, ...] | None) -> bytes:
             zoom=zoom,
             skip_system_fonts=fonts is not None,
             font_dirs=None if fonts is None else list(fonts),
+            sans_serif_family=None if fonts is None else PACKAGED,
         )
     )
