@@ -1,0 +1,107 @@
+"""Whoever ranks alternatives in the tables: ours in this process, peers each in a process of its own."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from dataclasses import dataclass, replace
+from importlib.util import find_spec
+from pathlib import Path
+from time import perf_counter
+from typing import cast
+
+from benchmarks.peer_model import Answer
+from benchmarks.trees import instance, text_of
+from missiontree.allocation import ALLOCATORS
+from missiontree.allocation.columns import flat_of_columns
+from missiontree.formats.importers.tree_grounded import fleet_of
+from missiontree.formats.importers.tree_json import columns_of, read_tree
+from missiontree.formats.reader import parse
+from missiontree.mission.columns import WEIGHTS, TreeColumns
+from missiontree.mission.control import Control
+from missiontree.mission.grounded import GroundedTree
+
+ROOT = Path(__file__).resolve().parents[1]
+GRACE_S = 120.0
+PEERS = {"cp_sat": "ortools", "highs": "highspy"}
+OURS = tuple(ALLOCATORS)
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """
+    An instance and what is asked of it.
+
+    Parameters
+    ----------
+    file
+        The tree.
+    k
+        How many alternatives.
+    budgets
+        Whether budgets limit the robots.
+    limit_s
+        Seconds.
+    seed
+        Of everything random.
+    """
+
+    file: Path
+    k: int
+    budgets: bool
+    limit_s: float
+    seed: int
+
+
+def installed(name: str) -> bool:
+    """Whether the contender can take part here."""
+    return name in OURS or find_spec(PEERS[name]) is not None
+
+
+def answer_of(name: str, question: Question) -> Answer:
+    """The answer of a contender; the clock runs from arrays to the list, when everything is loaded."""
+    return _ours(name, question) if name in OURS else _peer(name, question)
+
+
+def _ours(name: str, question: Question) -> Answer:
+    warm = replace(question, k=2, limit_s=10.0)
+    ranked(
+        name, columns_of(parse(text_of(instance("mission", 60, 4, 1)), "warm.json")), warm
+    )  # what compiles does so here
+    return ranked(name, read_tree(question.file), question)
+
+
+def ranked(name: str, columns: TreeColumns, question: Question, times: int = 1) -> Answer:
+    """The answer of one of our allocators, for a tree that is loaded; of several times, the seconds of the quickest."""
+    flat, fleet = flat_of_columns(columns, budgets=question.budgets), fleet_of(columns)
+    tree = cast(GroundedTree, flat)  # allocators flatten first, and what is flat stays as it is
+    seconds = []
+    for _ in range(times):
+        control = Control(time_limit_s=question.limit_s, seed=question.seed)
+        started = perf_counter()
+        ranking = ALLOCATORS[name](tree, fleet, WEIGHTS, question.k, control)
+        seconds.append(perf_counter() - started)
+    found = ranking.alternatives
+    best = found[0].certificate if found else ranking.certificate
+    return Answer(
+        values=[alternative.utility for alternative in found],
+        bound=best.bound,
+        proven=ranking.status in {"exact", "infeasible"},
+        seconds=min(seconds),
+    )
+
+
+def _peer(name: str, question: Question) -> Answer:
+    command = [sys.executable, "-m", f"benchmarks.peer_{name.replace('_', '')}", str(question.file), str(question.k)]
+    command += [str(question.limit_s), str(question.seed), str(question.budgets)]
+    try:
+        ran = subprocess.run(
+            command, cwd=ROOT, capture_output=True, text=True, timeout=question.limit_s + GRACE_S, check=False
+        )
+    except subprocess.TimeoutExpired:
+        return Answer(seconds=question.limit_s + GRACE_S, note="did not stop")
+    if ran.returncode:
+        last = (ran.stderr.strip().splitlines() or [f"exit {ran.returncode}"])[-1]
+        return Answer(note=last)
+    return Answer(**json.loads(ran.stdout.splitlines()[-1]))

@@ -1,0 +1,1 @@
+"""Foreign files to our values, a file per form."""
