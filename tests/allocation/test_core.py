@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from missiontree.allocation.core import Core, core_of
+from missiontree.allocation.core import Core, core_of, narrowed
 from missiontree.allocation.flat import flatten
 from missiontree.allocation.possible import structurally_possible
 from missiontree.allocation.purses import purses_of
@@ -36,12 +36,35 @@ def test_a_way_and_what_it_amounts_to() -> None:
     assert boiled.taken(way) == {3: 2}
 
 
-def test_nested_ands_become_one_chain() -> None:
+def test_nested_ands_become_one_sum() -> None:
     pairs = [xor_(leaf(f"a{n}"), leaf(f"b{n}")) for n in range(4)]
     boiled = core(and_(and_(pairs[0], pairs[1]), and_(pairs[2], pairs[3])))
-    # 8 leaves, 4 picks, 3 pairs.
-    assert len(boiled) == 15
-    assert sum(pair is not None for pair in boiled.pair) == 3
+    # 8 leaves, 4 picks, and the whole.
+    assert len(boiled) == 13
+    assert [len(parts) for parts in boiled.parts if parts] == [4]
+
+
+def test_a_narrowed_core_knows_what_it_no_longer_asks() -> None:
+    # Preorder: 0 and, 1 xor over 2 and 3, 4 xor over 5 and 6.
+    boiled = core(
+        and_(xor_(leaf("a", quality=1), leaf("b", quality=2)), xor_(leaf("c", quality=4), leaf("d", quality=8)))
+    )
+    kept = [[1] if options and options[0].xor == 1 else [0, 1] if options else [] for options in boiled.options]
+    narrow = narrowed(boiled, kept)
+    # What is left: two leaves, the pick between them, and b's 2 beside it.
+    assert len(narrow) == 4
+    (pick,) = [part for part in range(len(narrow)) if narrow.options[part]]
+    assert narrow.way_under(len(narrow) - 1, {pick: 1})[1] == 10_000_000
+    assert narrow.taken({pick: 1}) == {1: 1, 4: 1}
+
+
+def test_narrowing_forgets_what_stands_below_a_lost_option() -> None:
+    # Preorder: 0 xor, 1 leaf a, 2 xor over 3 and 4.
+    boiled = core(xor_(leaf("a", quality=1), xor_(leaf("b", quality=2), leaf("c", quality=4))))
+    narrow = narrowed(
+        boiled, [[0] if options and options[0].xor == 0 else [0, 1] if options else [] for options in boiled.options]
+    )
+    assert (narrow.utility, narrow.options, narrow.taken({})) == ([1_000_000], [()], {0: 0})
 
 
 def test_what_belongs_to_an_impossible_subtree_does_not_stand_for_the_whole() -> None:

@@ -132,22 +132,27 @@ def test_two_budgets_and_no_limit_of_time() -> None:
     assert ([entry.utility for entry in result.alternatives], result.status) == ([54.5] * 4, "exact")
 
 
-def test_without_states_the_pool_and_the_prices_speak() -> None:
-    """Too many states: 256 candidates, all refused, then the pool; prices know that nothing is better than 27.3."""
-    exact = ExactKBest(max_examined=300, max_states=0)
+def test_where_branch_and_bound_is_given_up_the_pool_and_the_prices_speak() -> None:
+    """No node is looked at; prices know that nothing is better than 27.3, where the plain stream alone would say 29.9."""
+    exact = ExactKBest(max_nodes=(0, 0))
     result = exact(*tied_mission(30, {"a": 3}), Weights(), 4, Control())
     assert [alternative.utility for alternative in result.alternatives] == [27.3] * 4
-    assert (result.status, result.certificate.claim) == ("partial", "bounded")
-    # Steps in floats come near the best price, 0.1, and the plain stream alone would say 30 or 29.9.
-    assert result.certificate.bound is not None
-    assert 27.3 <= result.certificate.bound < 27.31
+    assert (result.status, result.certificate.claim, result.certificate.bound) == ("partial", "bounded", 27.3)
 
 
-def test_a_stop_among_the_states_keeps_what_they_proved() -> None:
-    result = ExactKBest(patience=0, max_examined=2)(*tied_mission(30, {"a": 3}), Weights(), 4, Control())
-    claims = [alternative.certificate.claim for alternative in result.alternatives]
-    assert (claims, result.examined) == (["proven", "proven", "bounded", "bounded"], 2)
-    assert (result.status, result.certificate.bound) == ("partial", 27.3)
+def test_what_branch_and_bound_proves_says_so() -> None:
+    result = ExactKBest(patience=0)(*tied_mission(6, {"a": 2}), Weights(), 3, Control())
+    # 2 + 4 * 0.9 in 15 ways.
+    assert [alternative.utility for alternative in result.alternatives] == [5.6] * 3
+    assert {alternative.certificate.method for alternative in result.alternatives} == {"branch_and_bound"}
+    assert (result.status, result.certificate.claim) == ("exact", "proven")
+
+
+def test_all_there_are_when_fewer_are_there_than_wanted() -> None:
+    result = ExactKBest(patience=0)(*tied_mission(2, {"a": 1}), Weights(), 9, Control())
+    # a and b, b and a, b and b.
+    assert [alternative.utility for alternative in result.alternatives] == [1.9, 1.9, 1.8]
+    assert (result.status, result.certificate.bound) == ("exact", None)
 
 
 def test_never_silent_at_no_time_under_budgets() -> None:

@@ -1,13 +1,13 @@
 """
-The tree boiled down to what is left to choose: settled parts, pairs and picks.
+The tree boiled down to what is left to choose: sums and picks.
 
-What has no choice in it becomes one number with its uses; nested ANDs become one, and a wide AND a chain of pairs; an XOR with
-one possible child disappears. Children come before parents, and the last part is the whole mission.
+What has no choice in it becomes one number with its uses; nested ANDs become one; an XOR with one possible child disappears.
+Children come before parents, and the last part is the whole mission.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from missiontree.allocation.flat import Flat
@@ -38,22 +38,25 @@ class Option:
 @dataclass(frozen=True, slots=True)
 class Core:
     """
-    Columns over parts.
+    Columns over parts, each of which is a sum or a pick.
 
     Parameters
     ----------
     utility, uses
-        Of a settled part, in millionths and in units of the purses.
-    pair
-        The two parts of a pair; None for others.
+        Of a sum beside its parts, in millionths and in units of the purses.
+    parts
+        Of a sum: what is done as well; empty if it is settled.
     options
         Of a pick; empty for others.
+    forced
+        Position of the child by XOR whose other children were ruled out, and which is no pick for that.
     """
 
     utility: list[int] = field(default_factory=list)
     uses: list[Uses] = field(default_factory=list)
-    pair: list[tuple[int, int] | None] = field(default_factory=list)
+    parts: list[tuple[int, ...]] = field(default_factory=list)
     options: list[tuple[Option, ...]] = field(default_factory=list)
+    forced: dict[int, int] = field(default_factory=dict)
 
     def __len__(self) -> int:
         return len(self.utility)
@@ -62,19 +65,19 @@ class Core:
         self,
         utility: int = 0,
         uses: Uses = (),
-        pair: tuple[int, int] | None = None,
+        parts: tuple[int, ...] = (),
         options: tuple[Option, ...] = (),
     ) -> int:
         """Add a part; its number."""
         self.utility.append(utility)
         self.uses.append(uses)
-        self.pair.append(pair)
+        self.parts.append(parts)
         self.options.append(options)
         return len(self.utility) - 1
 
     def end_at(self, top: int) -> None:
         """Make a part the last, which stands for the whole; what comes behind it belongs to subtrees that turned out impossible."""
-        for column in (self.utility, self.uses, self.pair, self.options):
+        for column in (self.utility, self.uses, self.parts, self.options):
             del column[top + 1 :]
 
     def way_under(self, top: int, picked: Sequence[int] | Way) -> tuple[Way, int, dict[int, int]]:
@@ -83,13 +86,11 @@ class Core:
         stack = [top]
         while stack:
             part = stack.pop()
-            pair = self.pair[part]
-            if pair is not None:
-                stack += pair
-            elif self.options[part]:
+            if self.options[part]:
                 way[part] = picked[part]
                 stack.append(self.options[part][picked[part]].part)
             else:
+                stack += self.parts[part]
                 utility += self.utility[part]
                 for purse, amount in self.uses[part]:
                     used[purse] = used.get(purse, 0) + amount
@@ -98,7 +99,7 @@ class Core:
     def taken(self, way: Way) -> dict[int, int]:
         """Position of the chosen child by XOR node."""
         options = (self.options[pick][index] for pick, index in way.items())
-        return {option.xor: option.place for option in options}
+        return self.forced | {option.xor: option.place for option in options}
 
 
 @dataclass(slots=True)
@@ -131,6 +132,47 @@ def core_of(flat: Flat, possible: Sequence[bool], purses: Purses) -> Core:
     return core
 
 
+def narrowed(core: Core, kept: Sequence[Sequence[int]]) -> Core:
+    """
+    Boil a core down further.
+
+    Parameters
+    ----------
+    core
+        What there is to choose; every reached pick keeps an option.
+    kept
+        By pick, the indices of the options that are left.
+    """
+    new, bundles = Core(forced=dict(core.forced)), dict[int, _Bundle]()
+    for part in _reached(core, kept):
+        if not core.options[part]:
+            own = _Bundle(core.utility[part], dict(core.uses[part]), [])
+            bundles[part] = _together([own, *(bundles.pop(below) for below in core.parts[part])])
+            continue
+        left = [core.options[part][index] for index in kept[part]]
+        if len(left) == 1:
+            new.forced[left[0].xor] = left[0].place
+            bundles[part] = bundles.pop(left[0].part)
+        else:
+            options = [Option(_part(new, bundles.pop(one.part)), one.xor, one.place, one.child) for one in left]
+            bundles[part] = _Bundle(0, {}, [new.add(options=tuple(options))])
+    _part(new, bundles[len(core) - 1])
+    return new
+
+
+def _reached(core: Core, kept: Sequence[Sequence[int]]) -> Iterable[int]:
+    seen = [False] * len(core)
+    seen[-1] = True
+    for part in range(len(core) - 1, -1, -1):
+        if seen[part]:
+            for below in core.parts[part]:
+                seen[below] = True
+            if core.options[part]:
+                for index in kept[part]:
+                    seen[core.options[part][index].part] = True
+    return (part for part, there in enumerate(seen) if there)
+
+
 def _together(bundles: list[_Bundle]) -> _Bundle:
     if not bundles:
         return _Bundle(0, {}, [])
@@ -145,10 +187,6 @@ def _together(bundles: list[_Bundle]) -> _Bundle:
 
 
 def _part(core: Core, bundle: _Bundle) -> int:
-    parts = sorted(bundle.open)[::-1]  # higher numbers stand earlier in the tree
-    if bundle.utility or bundle.uses or not parts:
-        parts.insert(0, core.add(bundle.utility, tuple(sorted(bundle.uses.items()))))
-    whole = parts[0]
-    for part in parts[1:]:
-        whole = core.add(pair=(whole, part))
-    return whole
+    if len(bundle.open) == 1 and not bundle.utility and not bundle.uses:
+        return bundle.open[0]
+    return core.add(bundle.utility, tuple(sorted(bundle.uses.items())), tuple(sorted(bundle.open)))

@@ -8,6 +8,7 @@ purses advise.
 
 from __future__ import annotations
 
+import heapq
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -15,6 +16,7 @@ from missiontree.allocation.core import Core, Way
 from missiontree.allocation.purses import Purses
 
 MAX_PASSES = 20
+MOST_PAIRED = 200  # exchanges that are combined two by two
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,6 +106,38 @@ def neighbours(core: Core, purses: Purses, way: Way, advised: Sequence[int]) -> 
     return [exchange.applied(way) for exchange in near]
 
 
+def near_pairs(
+    core: Core, purses: Purses, way: Way, advised: Sequence[int], prices: Sequence[float], count: int
+) -> list[Way]:
+    """
+    Ways two exchanges away that keep every purse: so many of the best, best first.
+
+    Only exchanges that lose least after prices are combined, and none inside another.
+    """
+    state = _State(purses, core.way_under(len(core) - 1, way)[2])
+    rated = [
+        (entry.gain - sum(prices[purse] * by for purse, by in entry.change.items()), entry)
+        for entry in exchanges(core, way, advised)
+    ]
+    rated.sort(key=lambda pair: (-pair[0], pair[1].pick, pair[1].option))
+    close = [entry for _, entry in rated[:MOST_PAIRED]]
+    best: list[tuple[int, int, int]] = []  # heap of gain, places (negative, so that earlier ones stay)
+    for place, one in enumerate(close):
+        for later in range(place + 1, len(close)):
+            other = close[later]
+            gain = one.gain + other.gain
+            if len(best) == count and gain <= best[0][0]:
+                continue
+            if one.pick == other.pick or one.pick in other.dropped or other.pick in one.dropped:
+                continue
+            change = dict(one.change)
+            for purse, by in other.change.items():
+                change[purse] = change.get(purse, 0) + by
+            if state.fits_after(change):
+                (heapq.heappush if len(best) < count else heapq.heappushpop)(best, (gain, -place, -later))
+    return [close[-later].applied(close[-place].applied(way)) for _, place, later in sorted(best, reverse=True)]
+
+
 class _State:
     """What is taken from the purses so far."""
 
@@ -116,6 +150,10 @@ class _State:
         if change:
             return all(self.used[purse] + by <= self.limits[purse] for purse, by in change.items() if by > 0)
         return all(used <= limit for used, limit in zip(self.used, self.limits, strict=True))
+
+    def fits_after(self, change: Mapping[int, int]) -> bool:
+        """Whether a way within the purses stays within them."""
+        return all(self.used[purse] + by <= self.limits[purse] for purse, by in change.items())
 
     def relief(self, change: Mapping[int, int]) -> float:
         """By how much less the purses are overdrawn after the change, as shares of their limits."""

@@ -1,8 +1,9 @@
 """
-A pool of feasible alternatives by cheap methods, for when the proof is not finished.
+A pool of feasible alternatives: what any method found, judged by the referee, in the order of alternatives.
 
-The best that the prices advise is repaired and improved by exchanges; the paper's Algorithm 1 adds what it keeps; and the
-neighbours of the best, one exchange away, add theirs. Every one has passed the referee, nothing is claimed of their ranks.
+Beside the search that proves, cheap methods fill it: the best that the prices advise is repaired and improved by exchanges; the
+paper's Algorithm 1 adds what it keeps; and the neighbours of the best, one exchange away, add theirs. Nothing is claimed of their
+ranks.
 """
 
 from __future__ import annotations
@@ -12,11 +13,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from missiontree.allocation.core import Core, Way
-from missiontree.allocation.exchanges import improved, neighbours, repaired
+from missiontree.allocation.exchanges import improved, near_pairs, neighbours, repaired
 from missiontree.allocation.feasibility import Feasibility, Verdict
 from missiontree.allocation.flat import Flat
 from missiontree.allocation.item import choices_of
-from missiontree.allocation.multipliers import STEPS, Relaxed, relax, sweep
 from missiontree.allocation.pruned import kept_ways
 from missiontree.allocation.purses import Purses
 from missiontree.allocation.selection import Selection, select
@@ -25,7 +25,7 @@ from missiontree.mission.control import Control
 
 FEWEST_KEPT_BY_PRUNING, MOST_KEPT_BY_PRUNING = 8, 32
 SMALL_PRUNING = 200_000  # nodes times ways kept that are worth pruning even when time is up
-REPAIRED_PARTS = 600_000  # parts looked at by all repairs together
+PAIRED_TIES = 20  # ways two exchanges away, beyond twice those wanted, that are taken up
 SEEDS = 4  # ways whose neighbours are looked at
 SMALL_CORE = 5_000  # parts that are worth looking around in even when time is up
 REFEREED = 400  # decisions of the referee asked for by neighbours
@@ -33,7 +33,7 @@ REFEREED = 400  # decisions of the referee asked for by neighbours
 
 @dataclass(frozen=True, slots=True)
 class Pooled:
-    """One feasible alternative."""
+    """One alternative that is feasible, or of which that could not be decided."""
 
     utility: int
     selection: Selection
@@ -42,7 +42,7 @@ class Pooled:
 
 class Pool:
     """
-    What is known to be feasible.
+    What is known to be feasible, and what is undecided.
 
     Parameters
     ----------
@@ -52,6 +52,13 @@ class Pool:
         Who decides; None if nothing couples the choices.
     k
         How many are wanted.
+
+    Attributes
+    ----------
+    highest
+        Utility of the best feasible one; None if there is none.
+    undecided
+        Utility of the best of those that could not be decided; None if there is none.
     """
 
     def __init__(self, flat: Flat, possible: Sequence[bool], referee: Feasibility | None, k: int) -> None:
@@ -62,24 +69,29 @@ class Pool:
                 self._places[child] = place
         self._entries: dict[tuple[tuple[int, int], ...], Pooled | None] = {}
         self._best: list[int] = []  # heap of the k best utilities
+        self._count: dict[int, int] = {}  # feasible ones by utility
         self.highest: int | None = None
+        self.undecided: int | None = None
 
-    def offer(self, taken: Mapping[int, int]) -> bool:
-        """Let the referee decide a way through the tree; whether it is, or was, taken up."""
+    def offer(self, taken: Mapping[int, int]) -> Pooled | None:
+        """Let the referee decide a way through the tree; the alternative if it is feasible, be it new or not."""
         selection = select(self.flat, taken, self.possible)
         if selection.choices not in self._entries:
             verdict = self.referee.decide(selection) if self.referee is not None else FREE
             self.add(sum(self.flat.utility[leaf] for leaf in selection.leaves), selection, verdict)
-        return self._entries[selection.choices] is not None
+        entry = self._entries[selection.choices]
+        return entry if entry is not None and entry.verdict.answer == "yes" else None
 
     def add(self, utility: int, selection: Selection, verdict: Verdict) -> None:
         """Remember what was decided already."""
         if self._entries.get(selection.choices) is not None:
             return
+        self._entries[selection.choices] = None if verdict.answer == "no" else Pooled(utility, selection, verdict)
+        if verdict.answer == "undecided":
+            self.undecided = utility if self.undecided is None else max(self.undecided, utility)
         if verdict.answer != "yes":
-            self._entries[selection.choices] = None
             return
-        self._entries[selection.choices] = Pooled(utility, selection, verdict)
+        self._count[utility] = self._count.get(utility, 0) + 1
         self.highest = utility if self.highest is None else max(self.highest, utility)
         heapq.heappush(self._best, utility)
         if len(self._best) > self.k:
@@ -90,6 +102,19 @@ class Pool:
         """Utility of the k-th best; None if there are fewer."""
         return self._best[0] if len(self._best) == self.k else None
 
+    def found(self, wanted: int) -> int:
+        """How many have that utility at least."""
+        return sum(count for utility, count in self._count.items() if utility >= wanted)
+
+    @property
+    def tied(self) -> int:
+        """How many have the utility of the k-th best."""
+        return self._count.get(self._best[0], 0) if len(self._best) == self.k else 0
+
+    def better_than(self, utility: int) -> int:
+        """How many have more utility; counted up to k."""
+        return sum(best > utility for best in self._best)
+
     def listed(self) -> list[Pooled]:
         """All of them in the order of alternatives."""
         return sorted(
@@ -98,34 +123,57 @@ class Pool:
         )
 
 
-def fill(pool: Pool, core: Core, purses: Purses, control: Control) -> Relaxed:
+def start(
+    pool: Pool,
+    core: Core,
+    purses: Purses,
+    known: Way | None,
+    advised: Sequence[Sequence[int]],
+    prices: Sequence[float],
+    control: Control,
+) -> list[Way]:
     """
-    Fill the pool, and find prices on the way.
+    Put first ways into the pool, best ones where that is cheap; ways to go on from, best first.
 
-    A few sweeps are made even when time is up, so that there is something to show.
+    Parameters
+    ----------
+    pool
+        To be filled.
+    core, purses
+        What there is to choose.
+    known
+        A way within the purses; None if none is known.
+    advised
+        Options by pick, as prices advise them; the first are the best prices', the others higher and higher ones'.
+    prices
+        By purse, in millionths for a unit.
+    control
+        When to stop; one way is looked for even when time is up.
     """
-    repairs, unseen = max(2, REPAIRED_PARTS // len(core)), 0
-    if repairs < STEPS:
-        # In large trees repairs take longer than sweeps; after the first one the prices go ahead.
-        unseen = STEPS // 3
-    starts: list[tuple[int, Way]] = []
+    found: list[tuple[int, Way]] = []
+    if known is not None and pool.offer(core.taken(known)) is not None:
+        found.append((core.way_under(len(core) - 1, known)[1], known))
+    for options in advised:
+        if found and (control.ended() or len(core) > SMALL_CORE):
+            break
+        way = repaired(core, purses, options)
+        if way is not None:
+            way = improved(core, purses, way, options, control.ended)
+            found.append((core.way_under(len(core) - 1, way)[1], way))
+            pool.offer(core.taken(way))
+    found.sort(key=lambda entry: -entry[0])
+    if found and len(core) <= SMALL_CORE and not control.ended():
+        for way in near_pairs(core, purses, found[0][1], advised[0], prices, 2 * pool.k + PAIRED_TIES):
+            pool.offer(core.taken(way))
+    return [way for _, way in found]
 
-    def visit(picked: list[int], _: float) -> int | None:
-        nonlocal repairs, unseen
-        unseen -= 1
-        if repairs > 0 and (unseen < 0 or pool.highest is None or control.ended()):
-            repairs -= 1
-            way = repaired(core, purses, picked)
-            if way is not None:
-                way = improved(core, purses, way, picked, control.ended)
-                starts.append((core.way_under(len(core) - 1, way)[1], way))
-                pool.offer(core.taken(way))
-        return pool.highest
 
-    relaxed = relax(core, purses, visit, control.ended)
+def fill(
+    pool: Pool, core: Core, purses: Purses, starts: Sequence[Way], advised: Sequence[int], control: Control
+) -> None:
+    """Fill the pool further, from ways that :func:`start` found; a little is done even when time is up."""
     _prune(pool, control)
-    _look_around(pool, core, purses, starts, relaxed, control)
-    return relaxed
+    _look_around(pool, core, purses, starts, advised, control)
 
 
 def _prune(pool: Pool, control: Control) -> None:
@@ -141,14 +189,12 @@ def _look_around(
     pool: Pool,
     core: Core,
     purses: Purses,
-    starts: list[tuple[int, Way]],
-    relaxed: Relaxed,
+    starts: Sequence[Way],
+    advised: Sequence[int],
     control: Control,
 ) -> None:
     """Neighbours of the best starts, then of the best among those, until time is up or enough were asked for."""
-    _, advised = sweep(core, relaxed.prices)
-    starts.sort(key=lambda entry: -entry[0])
-    seeds = [way for place, (_, way) in enumerate(starts) if way not in [other for _, other in starts[:place]]][:SEEDS]
+    seeds = [way for place, way in enumerate(starts) if way not in starts[:place]][:SEEDS]
     asked = 0
 
     def late() -> bool:

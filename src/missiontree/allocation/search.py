@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from missiontree.allocation.feasibility import Feasibility, Verdict
 from missiontree.allocation.flat import Flat
-from missiontree.allocation.pool import Pool
+from missiontree.allocation.pool import Pool, Pooled
 from missiontree.allocation.possible import Possibility, reasons_of
 from missiontree.allocation.refusals import Refusals
 from missiontree.allocation.selection import Selection
@@ -15,7 +17,7 @@ from missiontree.mission.control import Control, Progress
 from missiontree.mission.estimate import MICRO
 
 METHOD = "lazy_k_best"
-BY_STATE = "k_best_per_state"
+BY_BOUNDS = "branch_and_bound"
 POOLED = "pool"
 REPORT_EVERY = 256
 
@@ -52,6 +54,11 @@ class Search:
         """Whether k are found."""
         return len(self.found) == self.k
 
+    @property
+    def refused(self) -> int:
+        """How many candidates the referee refused."""
+        return self.examined - len(self.found)
+
     def bound_by(self, utility: int | None) -> None:
         """Nothing that was not looked at has more utility (millionths); None if that is not known."""
         if utility is not None:
@@ -59,7 +66,18 @@ class Search:
 
     def look_at(self, utility: int, selection: Selection) -> None:
         """Let the referee decide the next candidate."""
-        verdict = self.referee.decide(selection) if self.referee is not None else FREE
+        self._take(utility, selection, self.referee.decide(selection) if self.referee is not None else FREE)
+
+    def look_at_all(self, entries: Sequence[Pooled]) -> None:
+        """Take up candidates that were decided already, in their order; those that were looked at before are known."""
+        listed = {tuple((choice.xor, choice.child) for choice in alternative.choices) for alternative in self.found}
+        for entry in entries:
+            if self.full:
+                return
+            if entry.selection.choices not in listed:
+                self._take(entry.utility, entry.selection, entry.verdict)
+
+    def _take(self, utility: int, selection: Selection, verdict: Verdict) -> None:
         self.examined += 1
         if verdict.answer == "no":
             self._refusals.add(verdict.reason)
@@ -100,7 +118,7 @@ class Search:
         for entry in self.pool.listed():
             if self.full:
                 return
-            if entry.selection.choices not in listed:
+            if entry.selection.choices not in listed and entry.verdict.answer == "yes":
                 above = max(bound, entry.utility)
                 gap = (above - entry.utility) / MICRO
                 detail = f"Feasible; what is not listed is better by {gap:g} at most."
@@ -114,7 +132,7 @@ class Search:
         """K are found, or there are no more."""
         if not self.found:
             detail = f"All {self.examined} candidates were refused."
-            if self.method == BY_STATE:
+            if self.method == BY_BOUNDS:
                 detail = f"No other way stays within the budgets, and all {self.examined} candidates were refused."
             reasons = reasons_of(self.flat, self.possibility, "error") + self._refusals.summary("error")
             return impossible(self.method, detail, reasons, self.examined)

@@ -1,0 +1,82 @@
+"""The inner loops at either speed: as they stand, or compiled by numba where that is installed and worth the wait."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import import_module
+from importlib.util import find_spec
+from types import FunctionType
+from typing import Any
+
+from missiontree.allocation import branching_kernel as kernel
+
+COMPILED = (
+    "reach", "sweep", "follow", "fits", "held", "tell", "lower", "shrink",
+    "weigh", "forget", "fined", "exchange", "mend",
+    "starve", "swing", "open_pick", "is_news", "descend", "retreat", "open_bound", "branch",
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Engine:
+    """
+    Functions of the kernel and the columns they work on.
+
+    Parameters
+    ----------
+    reach, sweep, lower, shrink, mend, branch, open_bound
+        As in :mod:`missiontree.allocation.branching_kernel`.
+    column
+        Makes a column of integers.
+    fast
+        Whether they are compiled.
+    """
+
+    reach: Callable[..., int]
+    sweep: Callable[..., int]
+    lower: Callable[..., tuple[int, int]]
+    shrink: Callable[..., int]
+    mend: Callable[..., int]
+    branch: Callable[..., int]
+    open_bound: Callable[..., int]
+    column: Callable[[Sequence[int]], Any]
+    fast: bool
+
+
+ENTRIES = ("reach", "sweep", "lower", "shrink", "mend", "branch", "open_bound")
+PLAIN = Engine(**{name: getattr(kernel, name) for name in ENTRIES}, column=list, fast=False)
+
+
+def can_compile() -> bool:
+    """Whether numba is installed (the extra ``fast``)."""
+    return find_spec("numba") is not None
+
+
+def is_compiled() -> bool:
+    """Whether they were compiled or loaded already, so that they cost nothing more."""
+    return fast_engine.cache_info().currsize > 0
+
+
+@lru_cache(maxsize=1)
+def fast_engine() -> Engine:
+    """
+    The compiled functions; compiled at the first call, and kept on disk beside the package from then on.
+
+    The functions of the kernel call each other by name, so each is given a namespace in which those names are compiled, too.
+    """
+    # Imported here, for it takes a second, and only large problems need it.
+    numba, np = import_module("numba"), import_module("numpy")
+    names: dict[str, Any] = {name: getattr(kernel, name) for name in dir(kernel) if name.isupper()}
+    names["__name__"] = kernel.__name__
+    for name in COMPILED:
+        function = getattr(kernel, name)
+        copy = FunctionType(function.__code__, names, name, function.__defaults__)
+        copy.__module__ = kernel.__name__
+        names[name] = numba.njit(cache=True)(copy)
+
+    def column(values: Sequence[int]) -> Any:
+        return np.array(values if len(values) else [0], dtype=np.int64)
+
+    return Engine(**{name: names[name] for name in ENTRIES}, column=column, fast=True)

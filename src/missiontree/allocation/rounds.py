@@ -1,0 +1,221 @@
+"""
+The k best within the purses, by branch and bound in rounds that reach deeper and deeper below the bound.
+
+A round looks for all ways with a wanted utility. Prices rule out every option through which no way reaches it, and what is left is
+searched depth first, with prices of its own at every node. The nearer the wanted utility is to the bound, the fewer options are left,
+so the first rounds cost next to nothing; the last one goes no deeper than the k-th best found. The bound is Lagrangian (Geoffrion,
+"Lagrangean relaxation for integer programming", 1974), the narrowing that of reduced costs, the search Land and Doig's (1960).
+Everything that decides is an integer, so a finished round is a proof.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import log
+from typing import Literal
+
+from missiontree.allocation.branching_kernel import FINISHED, LAST, MET, PAUSED
+from missiontree.allocation.compiled import PLAIN, Engine, can_compile, fast_engine, is_compiled
+from missiontree.allocation.core import Core, Way
+from missiontree.allocation.pool import Pool, start
+from missiontree.allocation.purses import Purses
+from missiontree.allocation.searched import Scale, Searched, scale_of
+from missiontree.mission.control import Control
+
+STEPS = 10  # of prices at each node
+LARGE = 5_000  # parts from which compiling pays from the start
+TRIED_PLAIN = 150  # nodes at the slow speed before the fast one is taken
+SLICES = {True: 2_000, False: 10}  # nodes between two looks at the clock
+MENDING = {True: 50_000_000, False: 50_000}  # parts looked at by exchanges
+FEWEST_PASSES, MOST_PASSES = 20, 1_000
+UNAIDED = 300  # nodes without k ways found, after which cheap methods are to find some
+RAISED = (100, 102, 106, 115, 140)  # per cent of the best prices
+GROWTH = 0.5  # of the depth of a round, while nothing is found
+DENSITY = 50  # ways sought per way found, as it were; the more, the smaller the steps
+TIES = 16  # ways beyond the k wanted, of the same utility as the last, before the order of choices is settled apart
+
+Ended = Literal["finished", "stopped"]
+
+
+class Rounds:
+    """
+    One search.
+
+    Parameters
+    ----------
+    core, purses
+        What there is to choose.
+    rank
+        Place of each node of the tree in preorder.
+    pool
+        Takes up what is found, and knows the k-th best.
+    control
+        Whether to stop.
+    max_nodes
+        Nodes looked at in all rounds, at the fast and at the slow speed.
+
+    Attributes
+    ----------
+    bound
+        Nothing that is not in the pool has more utility (millionths); None if there is nothing else.
+    prices
+        The best prices of the whole.
+    """
+
+    def __init__(
+        self,
+        core: Core,
+        purses: Purses,
+        rank: Sequence[int],
+        pool: Pool,
+        control: Control,
+        max_nodes: tuple[int, int],
+    ) -> None:
+        self.core, self.purses, self.rank, self.pool, self.control = core, purses, rank, pool, control
+        self.scale: Scale = scale_of(core)
+        self.base = self._searched(core, self._engine(len(core)), deep=False)
+        self.bound: int | None = self.base.price()
+        self.prices = self.base.prices
+        self.nodes, self.max_nodes = 0, max_nodes
+        self._started: list[Way] | None = None
+
+    def run(self) -> bool:
+        """Whether the pool holds the k best, or all there are, and their order is settled."""
+        assert self.bound is not None
+        top, bottom = self.bound, least_utility(self.core)
+        depth = max(self.scale.unit, (top - bottom) >> 12)
+        while True:
+            wanted = top - depth
+            if self.pool.kth is not None:
+                wanted = max(wanted, self.pool.kth)
+            wanted = max(wanted, bottom)
+            if self.control.ended() or self._round(wanted) == "stopped":
+                return False
+            if self.pool.kth is not None and self.pool.kth >= wanted:
+                self.bound = self.pool.kth
+                return not self._crowded() or self._settle_ties(self.pool.kth)
+            if wanted == bottom:
+                self.bound = None
+                return True
+            self.bound = min(top, wanted - 1)
+            depth += max(self.scale.unit, int(depth * self._growth(wanted)))
+
+    def _growth(self, wanted: int) -> float:
+        """How much deeper to go, as a share: the number of ways grows about exponentially with depth, so the more are there, the less."""
+        found = min(self.pool.found(wanted), self.pool.k)
+        if not found:
+            return GROWTH
+        return min(GROWTH, log(DENSITY * (self.pool.k + 2)) / log(DENSITY * found) - 1)
+
+    def start(self) -> list[Way]:
+        """Put first ways into the pool; once."""
+        if self._started is None:
+            most = MENDING[self.base.engine.fast] // len(self.core)
+            self._started = start(
+                self.pool,
+                self.core,
+                self.purses,
+                self.base.mended(max(FEWEST_PASSES, min(MOST_PASSES, most))),
+                self.advised(),
+                self.base.true_prices(self.purses),
+                self.control,
+            )
+        return self._started
+
+    def advised(self) -> list[list[int]]:
+        """Options by pick that prices advise: the best prices, then higher and higher ones, which are more careful."""
+        found = []
+        for raised in RAISED:
+            prices = [price * raised // 100 for price in self.prices]
+            found.append(self._searched(self.core, self._engine(len(self.core)), prices, deep=False).advised())
+        return found
+
+    def _round(self, wanted: int) -> Ended:
+        """Find all ways with that utility, or with that of the k-th best if it is more."""
+        core = self.base.narrowed(wanted)
+        if core is None:
+            return "finished"
+        quickly = self._engine(len(core))
+        ended = self._search(core, quickly, wanted, quickly.fast or not can_compile())
+        if ended is None:
+            ended = self._search(core, fast_engine(), wanted, True)
+        assert ended is not None
+        return ended
+
+    def _search(self, core: Core, engine: Engine, wanted: int, to_the_end: bool) -> Ended | None:
+        """None if the search was given up because it can be done faster."""
+        search = self._searched(core, engine, self.prices)
+        search.price()
+        above = self.bound
+        assert above is not None
+        done = 0
+        while True:
+            target = self._target(wanted)
+            status = search.branch(target, STEPS, False, self._slice(engine))
+            self.nodes, done = self.nodes + search.nodes - done, search.nodes
+            if status in (MET, LAST):
+                self.pool.offer(core.taken(search.candidate()))
+            elif status == FINISHED:
+                return "finished"
+            if status == PAUSED:
+                if self.nodes >= UNAIDED and self.pool.kth is None:
+                    self.start()
+                if self._given_up(engine):
+                    self.bound = max(wanted - 1, self.pool.kth or wanted - 1, search.bound(above))
+                    return "stopped"
+                if not to_the_end and done >= TRIED_PLAIN:
+                    return None
+
+    def _target(self, wanted: int) -> int:
+        """Scaled utility that is of interest: the k-th best's, and beyond a number of equal ones only better ones."""
+        kth = self.pool.kth
+        if kth is None or kth < wanted:
+            return self.scale.up(wanted)
+        return self.scale.up(kth + 1 if self._crowded() else kth)
+
+    def _crowded(self) -> bool:
+        return self.pool.tied > self.pool.k + TIES
+
+    def _settle_ties(self, utility: int) -> bool:
+        """Find the ways of the k-th best's utility that come first in the order of choices; whether that succeeded."""
+        core = self.base.narrowed(utility)
+        assert core is not None
+        engine = fast_engine() if can_compile() and self.nodes > TRIED_PLAIN else self._engine(len(core))
+        search = self._searched(core, engine, self.prices)
+        search.price()
+        missing, target, done = self.pool.k - self.pool.better_than(utility), self.scale.up(utility), 0
+        while missing > 0:
+            status = search.branch(target, STEPS, True, self._slice(engine))
+            self.nodes, done = self.nodes + search.nodes - done, search.nodes
+            if status == LAST:
+                found = self.pool.offer(core.taken(search.candidate()))
+                missing -= found is not None and found.utility == utility
+            if status == FINISHED:
+                break
+            if status == PAUSED and self._given_up(engine):
+                return False
+        return True
+
+    def _slice(self, engine: Engine) -> int:
+        """Nodes until the next look at the clock."""
+        return max(0, min(SLICES[engine.fast], self.max_nodes[0 if engine.fast else 1] - self.nodes))
+
+    def _given_up(self, engine: Engine) -> bool:
+        return self.control.ended() or self.nodes >= self.max_nodes[0 if engine.fast else 1]
+
+    def _searched(self, core: Core, engine: Engine, prices: Sequence[int] = (), deep: bool = True) -> Searched:
+        return Searched(core, self.purses, self.rank, engine, self.scale, prices, deep)
+
+    def _engine(self, parts: int) -> Engine:
+        return fast_engine() if can_compile() and (is_compiled() or parts >= LARGE) else PLAIN
+
+
+def least_utility(core: Core) -> int:
+    """No way has less utility than this."""
+    least: list[int] = []
+    for part, options in enumerate(core.options):
+        if options:
+            least.append(min(least[option.part] for option in options))
+        else:
+            least.append(core.utility[part] + sum(least[below] for below in core.parts[part]))
+    return least[-1]

@@ -1,0 +1,254 @@
+"""
+A core and its purses as the columns that the inner loops search, and what comes back from there.
+
+Utilities are counted in the greatest unit that divides all of them, amounts in units that leave some twenty bits to each limit:
+what a part uses is rounded down then, and so is the limit, which lets more ways pass than there are and none fewer. Bounds hold, and
+the referee decides of each way with the true amounts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import gcd
+from random import Random
+
+from missiontree.allocation.branching_kernel import DEPTH, MARGIN, NEG, NODES, PICK, SUM, TRAIL, Room, Tree
+from missiontree.allocation.compiled import Engine
+from missiontree.allocation.core import Core, Way, narrowed
+from missiontree.allocation.purses import Purses
+
+SHIFT = 20  # bits behind the point of a scaled utility
+WHOLE_BITS = 59  # of all that is added up
+LIMIT_BITS = 20
+REMEMBERED = 4096
+ROOT_STEPS = 60
+AIMS = (0.02, 0.006, 0.002, 0.0006, 0.0002, 0.00006, 0.005, 0.001, 0.0002, 0.00004)
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """
+    How utilities are scaled.
+
+    Parameters
+    ----------
+    unit
+        Millionths in a unit.
+    factor
+        Steps in a unit.
+    """
+
+    unit: int
+    factor: int
+
+    def up(self, utility: int) -> int:
+        """The least scaled utility of ways with at least that utility, in millionths."""
+        return -(-utility // self.unit) * self.factor
+
+    def down(self, scaled: int) -> int:
+        """The most utility, in millionths, that a bound leaves room for."""
+        return scaled // self.factor * self.unit
+
+
+def scale_of(core: Core) -> Scale:
+    """The finest scale at which no sum leaves its bits; coarser than a millionth only for sums beyond 10^11."""
+    unit = gcd(*core.utility) or 1
+    span = sum(map(abs, core.utility)) // unit + len(core)
+    bits = span.bit_length()
+    if bits > WHOLE_BITS:
+        unit <<= bits - WHOLE_BITS
+        bits = WHOLE_BITS
+    return Scale(unit, 1 << min(SHIFT, WHOLE_BITS - bits))
+
+
+class Searched:
+    """
+    One core, ready to be searched at the speed of an engine.
+
+    Parameters
+    ----------
+    core, purses
+        The problem.
+    rank
+        Place of each node of the tree in preorder.
+    engine
+        The inner loops.
+    scale
+        Of utilities.
+    prices
+        To begin with, scaled. Default: none.
+    deep
+        Whether it will be searched, and not only priced.
+    """
+
+    def __init__(
+        self,
+        core: Core,
+        purses: Purses,
+        rank: Sequence[int],
+        engine: Engine,
+        scale: Scale,
+        prices: Sequence[int] = (),
+        deep: bool = True,
+    ) -> None:
+        self.core, self.engine, self.scale, self._purses = core, engine, scale, len(purses.limits)
+        self.tree = _tree(core, purses, rank, engine, scale)
+        self.room = _room(self.tree, engine, prices, deep)
+        self.room.numbers[MARGIN] = scale.factor // 2
+
+    def price(self, steps: int = ROOT_STEPS) -> int:
+        """Look for good prices of the whole; the bound they prove, in millionths."""
+        self.engine.reach(self.tree, self.room)
+        bound = -NEG
+        for aim in AIMS:
+            bound = min(bound, self.engine.lower(self.tree, self.room, steps, NEG, aim)[0])
+        return self.scale.down(int(bound))
+
+    @property
+    def prices(self) -> list[int]:
+        """By purse, scaled."""
+        return [int(price) for price in self.room.prices][: self._purses]
+
+    def true_prices(self, purses: Purses) -> list[float]:
+        """By purse, in millionths for a unit of the purse."""
+        return [
+            price / (1 << coarsened(limit)) * self.scale.unit / self.scale.factor
+            for price, limit in zip(self.prices, purses.limits, strict=True)
+        ]
+
+    @property
+    def nodes(self) -> int:
+        """Nodes looked at so far."""
+        return int(self.room.numbers[NODES])
+
+    def narrowed(self, utility: int) -> Core | None:
+        """The core of all ways with at least that utility, as far as the prices tell; None if there is none."""
+        for edge in range(len(self.room.alive)):
+            self.room.alive[edge] = 1
+        self.room.numbers[TRAIL] = 0
+        target = self.scale.up(utility)
+        self.engine.reach(self.tree, self.room)
+        if self.engine.shrink(self.tree, self.room, target) < target:
+            return None
+        alive, first = self.room.alive, self.tree.first
+        kept = [
+            [index for index in range(len(options)) if alive[first[part] + index]]
+            for part, options in enumerate(self.core.options)
+        ]
+        return narrowed(self.core, kept)
+
+    def branch(self, target: int, steps: int, in_order: bool, nodes: int) -> int:
+        """See :func:`missiontree.allocation.branching_kernel.branch`; the target is scaled."""
+        return int(self.engine.branch(self.tree, self.room, target, steps, in_order, nodes))
+
+    def bound(self, above: int) -> int:
+        """Nothing that was not searched yet has more utility, in millionths; after a pause. ``above``: the same before the search."""
+        if not self.room.numbers[DEPTH]:
+            return above
+        return min(above, self.scale.down(int(self.engine.open_bound(self.room))))
+
+    def candidate(self) -> Way:
+        """The way that was told last."""
+        return self._way(self.room.candidate)
+
+    def mended(self, passes: int) -> Way | None:
+        """A good way within the purses, near what the prices advise; None if none is met in so many passes."""
+        if self.engine.mend(self.tree, self.room, passes) == NEG:
+            return None
+        return self.candidate()
+
+    def advised(self) -> list[int]:
+        """By pick, the index of the option that the prices advise."""
+        self.engine.reach(self.tree, self.room)
+        self.engine.sweep(self.tree, self.room, self.room.prices)
+        taken, first = self.room.taken, self.tree.first
+        return [int(taken[part]) - int(first[part]) if options else 0 for part, options in enumerate(self.core.options)]
+
+    def _way(self, taken: Sequence[int]) -> Way:
+        way, stack = Way(), [len(self.core) - 1]
+        while stack:
+            part = stack.pop()
+            if self.core.options[part]:
+                way[part] = int(taken[part]) - int(self.tree.first[part])
+                stack.append(self.core.options[part][way[part]].part)
+            else:
+                stack += self.core.parts[part]
+        return way
+
+
+def coarsened(limit: int) -> int:
+    """Bits by which amounts are shortened."""
+    return max(0, limit.bit_length() - LIMIT_BITS)
+
+
+def _tree(core: Core, purses: Purses, rank: Sequence[int], engine: Engine, scale: Scale) -> Tree:
+    first, below, priority = [0], list[int](), [0] * len(core)
+    use_first, use_purse, use_amount = [0], list[int](), list[int]()
+    shifts = [coarsened(limit) for limit in purses.limits]
+    limits = [limit >> shift for limit, shift in zip(purses.limits, shifts, strict=True)]
+    most = list(limits)
+    for part, options in enumerate(core.options):
+        below += [option.part for option in options] if options else core.parts[part]
+        first.append(len(below))
+        if options:
+            priority[part] = len(rank) - rank[options[0].xor]
+        for purse, amount in core.uses[part]:
+            used = min(amount >> shifts[purse], limits[purse] + 1)  # more than there is, is too much
+            use_purse.append(purse)
+            use_amount.append(used)
+            most[purse] += used
+        use_first.append(len(use_purse))
+    budget = 1 << WHOLE_BITS
+    caps = [budget // (max(1, len(limits)) * max(1, there)) for there in most]
+    chance = Random(0)  # noqa: S311 - spreads fingerprints
+    column = engine.column
+    return Tree(
+        kind=column([PICK if options else SUM for options in core.options]),
+        value=column([-(-utility // scale.unit) * scale.factor for utility in core.utility]),
+        first=column(first),
+        below=column(below),
+        use_first=column(use_first),
+        use_purse=column(use_purse),
+        use_amount=column(use_amount),
+        limits=column(limits),
+        caps=column(caps),
+        priority=column(priority),
+        marks=column([chance.getrandbits(60) for _ in below]),
+    )
+
+
+def _room(tree: Tree, engine: Engine, prices: Sequence[int], deep: bool) -> Room:
+    parts, edges, purses = len(tree.kind), len(tree.below), len(tree.limits)
+    depth = edges + 1 if deep else 0  # every frame takes an edge away
+
+    def blank(length: int, value: int = 0) -> list[int]:
+        return engine.column([value] * length)  # type: ignore[no-any-return]
+
+    known = list(prices) or [0] * purses
+    capped = [min(price, cap) for price, cap in zip(known, tree.caps, strict=False)]
+    return Room(
+        alive=blank(edges, 1),
+        prices=engine.column([int(price) for price in capped]),
+        trial=blank(purses),
+        most=blank(parts),
+        taken=blank(parts),
+        candidate=blank(parts),
+        outside=blank(parts),
+        seen=blank(parts),
+        active=blank(parts),
+        stack=blank(parts + 1),
+        other_stack=blank(parts + 1),
+        used=blank(purses),
+        drift=blank(purses),
+        touched=blank(purses),
+        listed=blank(purses),
+        frame_edge=blank(depth),
+        frame_open=blank(depth),
+        frame_trail=blank(depth),
+        frame_bound=blank(depth),
+        frame_prices=blank(depth * purses),
+        trail=blank(edges + 1),
+        remembered=blank(REMEMBERED, -1),
+        numbers=blank(9),
+    )

@@ -1,0 +1,133 @@
+"""Rounds of branch and bound: the k best within the purses and in order, at both speeds, and honest when they are stopped."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+
+from benchmarks.random_trees import Case
+from benchmarks.tied_budget import tied_mission
+from benchmarks.trees import instance, text_of
+from missiontree.allocation import rounds as module
+from missiontree.allocation.columns import flat_of_columns
+from missiontree.allocation.compiled import PLAIN, Engine, fast_engine
+from missiontree.allocation.core import core_of
+from missiontree.allocation.feasibility import Feasibility
+from missiontree.allocation.kbest import preorder
+from missiontree.allocation.pool import Pool
+from missiontree.allocation.possible import possible_nodes
+from missiontree.allocation.purses import purses_of
+from missiontree.allocation.rounds import Rounds, least_utility
+from missiontree.formats.importers.tree_json import columns_of
+from missiontree.formats.reader import parse
+from missiontree.mission.control import Control
+from tests.allocation.test_searched import Boiled, boiled, ways_within
+from tests.strategies import cases
+
+MANY = (10**6, 10**6)
+
+
+def rounds_of(problem: Boiled, k: int, control: Control | None = None, nodes: tuple[int, int] = MANY) -> Rounds:
+    pool = Pool(problem.flat, problem.possible, Feasibility(problem.flat), k)
+    return Rounds(problem.core, problem.purses, preorder(problem.flat), pool, control or Control(), nodes)
+
+
+def mission(leaves: int, robots: int, seed: int) -> Boiled:
+    """An instance of the family that allocation is measured on."""
+    flat = flat_of_columns(columns_of(parse(text_of(instance("mission", leaves, robots, seed)), "tree.json")))
+    possible = tuple(possible_nodes(flat).possible)
+    purses = purses_of(flat, possible)
+    return Boiled(flat, possible, core_of(flat, possible, purses), purses)
+
+
+@settings(max_examples=150)
+@given(cases())
+def test_the_pool_ends_up_with_all_ways_that_are_as_good_as_the_kth(case: Case) -> None:
+    problem = boiled(case.tree, case.fleet, case.weights)
+    if problem is None or not problem.purses.names:
+        return
+    referee = Feasibility(problem.flat)
+    pool = Pool(problem.flat, problem.possible, referee, 10**6)
+    for _, places in ways_within(problem):
+        pool.offer(places)
+    truth = [(entry.utility, entry.selection.choices) for entry in pool.listed()]
+    rounds = rounds_of(problem, case.k)
+    assert rounds.run()
+    found = [(entry.utility, entry.selection.choices) for entry in rounds.pool.listed()]
+    assert found[: case.k] == truth[: case.k]
+    assert rounds.bound == (truth[case.k - 1][0] if len(truth) >= case.k else None)
+
+
+def test_least_utility_by_hand() -> None:
+    problem = boiled(*tied_mission(4, {"a": 1}))
+    assert problem is not None
+    assert least_utility(problem.core) == 3_600_000
+
+
+def test_compiled_and_plain_take_the_same_steps(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Same nodes, same prices, same ways in the same order: the engines differ in nothing but speed."""
+    problems = [mission(60, 4, seed) for seed in range(6)]
+    tied = boiled(*tied_mission(20, {"a": 6, "b": 8}))
+    assert tied is not None
+    monkeypatch.setattr(module, "SLICES", {True: 10, False: 10})
+    told = {}
+    for engine in (PLAIN, fast_engine()):
+        monkeypatch.setattr(module.Rounds, "_engine", lambda self, parts, engine=engine: engine)
+        monkeypatch.setattr(module, "can_compile", lambda engine=engine: engine.fast)
+        steps = []
+        for problem in (*problems, tied):
+            rounds = rounds_of(problem, 5)
+            proven = rounds.run()
+            listed = [(entry.utility, entry.selection.choices) for entry in rounds.pool.listed()]
+            steps.append((proven, rounds.nodes, rounds.prices, rounds.bound, listed))
+        told[engine.fast] = steps
+    assert told[False] == told[True]
+    assert all(proven for proven, *_ in told[True])
+    assert sum(nodes for _, nodes, *_ in told[True]) > 500
+
+
+def test_a_search_of_some_length_goes_on_at_the_fast_speed(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem, used = mission(120, 4, 1), list[Engine]()
+    search = module.Rounds._search
+
+    def watched(self: Rounds, core: object, engine: Engine, wanted: int, to_the_end: bool) -> object:
+        used.append(engine)
+        return search(self, core, engine, wanted, to_the_end)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(module.Rounds, "_search", watched)
+    monkeypatch.setattr(module, "is_compiled", lambda: False)
+    monkeypatch.setattr(module, "TRIED_PLAIN", 20)
+    assert rounds_of(problem, 5).run()
+    assert [engine.fast for engine in used].count(True) >= 1
+    assert used[0] is PLAIN
+
+
+@pytest.mark.parametrize("nodes", [0, 7, 40])
+def test_stopped_rounds_know_a_bound(nodes: int) -> None:
+    problem = mission(120, 4, 1)
+    done = rounds_of(problem, 3)
+    assert done.run()
+    best = done.pool.listed()[0].utility
+    stopped = rounds_of(problem, 3, nodes=(nodes, nodes))
+    assert not stopped.run()
+    assert stopped.bound is not None
+    assert stopped.bound >= best or any(entry.utility == best for entry in stopped.pool.listed())
+
+
+def test_a_clock_that_has_run_out_stops_them() -> None:
+    rounds = rounds_of(mission(120, 4, 1), 3, Control(time_limit_s=0))
+    assert not rounds.run()
+    assert rounds.bound is not None
+
+
+def test_ways_beyond_number_are_settled_by_the_order_of_choices() -> None:
+    """30 choose 3 ways are best; the first three in order give a to the tasks 0, 1 and 2, 3 or 4."""
+    problem = boiled(*tied_mission(30, {"a": 3}))
+    assert problem is not None
+    rounds = rounds_of(problem, 3)
+    assert rounds.run()
+    firsts = [
+        [place for place, (xor, child) in enumerate(entry.selection.choices) if child == xor + 1]
+        for entry in rounds.pool.listed()
+    ]
+    assert firsts[:3] == [[0, 1, 2], [0, 1, 3], [0, 1, 4]]

@@ -1,0 +1,103 @@
+"""A core as columns: nothing is lost by scaling, prices bound what there is, and narrowing keeps every way that matters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import pytest
+from hypothesis import given, settings
+
+from benchmarks.random_trees import Case
+from benchmarks.tied_budget import tied_mission
+from missiontree.allocation.compiled import PLAIN
+from missiontree.allocation.core import Core, core_of
+from missiontree.allocation.exhaustive import every_selection
+from missiontree.allocation.flat import Flat, flatten
+from missiontree.allocation.kbest import preorder
+from missiontree.allocation.possible import possible_nodes
+from missiontree.allocation.purses import Purses, purses_of
+from missiontree.allocation.searched import Scale, Searched, scale_of
+from missiontree.mission.estimate import Weights
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.grounded import GroundedTree
+from tests.strategies import cases
+
+
+@dataclass(frozen=True)
+class Boiled:
+    flat: Flat
+    possible: tuple[bool, ...]
+    core: Core
+    purses: Purses
+
+    def searched(self, deep: bool = True) -> Searched:
+        return Searched(self.core, self.purses, preorder(self.flat), PLAIN, scale_of(self.core), deep=deep)
+
+
+def boiled(tree: GroundedTree, fleet: Fleet, weights: Weights | None = None) -> Boiled | None:
+    flat = flatten(tree, fleet, weights or Weights())
+    possible = tuple(possible_nodes(flat).possible)
+    if not possible[0]:
+        return None
+    purses = purses_of(flat, possible)
+    return Boiled(flat, possible, core_of(flat, possible, purses), purses)
+
+
+def ways_within(problem: Boiled) -> list[tuple[int, dict[int, int]]]:
+    """Utility and choices of every way that keeps the purses, by plain counting."""
+    found = []
+    for selection in every_selection(problem.flat):
+        if selection is None or not all(problem.possible[node] for node in selection.nodes):
+            continue
+        used = [0] * len(problem.purses.limits)
+        for leaf in selection.leaves:
+            for purse, amount in problem.purses.of_leaf(problem.flat, leaf):
+                used[purse] += amount
+        if all(amount <= limit for amount, limit in zip(used, problem.purses.limits, strict=True)):
+            places = {xor: problem.flat.children[xor].index(child) for xor, child in selection.choices}
+            found.append((sum(problem.flat.utility[leaf] for leaf in selection.leaves), places))
+    return found
+
+
+def test_a_scale_counts_in_the_greatest_common_unit() -> None:
+    problem = boiled(*tied_mission(4, {"a": 1}))
+    assert problem is not None
+    # 1 and 0.9 have 0.1 in common; the sum of all parts, 76 tenths, leaves twenty bits behind the point.
+    assert scale_of(problem.core) == Scale(100_000, 1 << 20)
+
+
+def test_scaling_rounds_bounds_up_and_wanted_utilities_up() -> None:
+    scale = Scale(unit=3, factor=4)
+    assert [scale.up(utility) for utility in (-3, 0, 1, 3, 4)] == [-4, 0, 4, 4, 8]
+    assert [scale.down(scaled) for scaled in (-1, 0, 3, 4, 11)] == [-3, 0, 0, 3, 6]
+
+
+def test_prices_close_the_gap_where_there_is_none() -> None:
+    problem = boiled(*tied_mission(10, {"a": 3}))
+    assert problem is not None
+    search = problem.searched()
+    # 3 + 7 * 0.9, which a price of 0.1 proves.
+    assert search.price() == 9_300_000
+    assert search.true_prices(problem.purses) == [pytest.approx(100_000, rel=0.05)]
+
+
+@settings(max_examples=150)
+@given(cases())
+def test_no_way_within_the_purses_is_above_the_bound_or_lost_by_narrowing(case: Case) -> None:
+    problem = boiled(case.tree, case.fleet, case.weights)
+    if problem is None or not problem.purses.names:
+        return
+    ways = ways_within(problem)
+    search = problem.searched(deep=False)
+    bound = search.price()
+    assert all(utility <= bound for utility, _ in ways)
+    for wanted in sorted({utility for utility, _ in ways})[-3:]:
+        core = search.narrowed(wanted)
+        assert core is not None
+        allowed = [{option.place for option in options} for options in core.options if options]
+        by_xor = {options[0].xor: places for options, places in zip(filter(None, core.options), allowed, strict=True)}
+        for utility, places in ways:
+            if utility >= wanted:
+                for xor, place in places.items():
+                    assert core.forced.get(xor, place) == place
+                    assert place in by_xor.get(xor, {place})
