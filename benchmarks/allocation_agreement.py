@@ -26,11 +26,11 @@ from benchmarks.random_trees import Case, random_case
 from missiontree import __version__
 from missiontree.allocation.coupling import couples
 from missiontree.allocation.exhaustive import Exhaustive
-from missiontree.allocation.flat import flatten
 from missiontree.allocation.kbest import ExactKBest
 from missiontree.allocation.pruned import Pruned
 from missiontree.mission.alternative import Alternative, Ranking, selected_leaves, selected_nodes
 from missiontree.mission.control import Control
+from missiontree.mission.terms import NO_TERMS
 
 SAVE_EVERY = 250
 EVERYTHING = 10**9
@@ -87,7 +87,10 @@ def _one(state: dict[str, Any]) -> None:
         state[kind].append(f"{index}: {message}")
     feasible = len(truth.alternatives)
     counts = Counter(state["counts"])
-    counts["coupled"] += couples(flatten(case.tree, case.fleet, case.weights))
+    counts["coupled"] += couples(case.flat)
+    counts["ruled"] += case.terms != NO_TERMS or bool(
+        case.fleet.total_limits or any(k.max_in_use for k in case.fleet.types)
+    )
     counts["infeasible"] += not feasible
     counts["ties"] += len({entry.utility for entry in truth.alternatives}) < feasible
     counts["refused"] += truth.examined > feasible
@@ -104,6 +107,7 @@ def table(state: dict[str, Any]) -> str:
         ("mismatches", len(state["mismatch"])),
         ("false proofs", len(state["false proof"])),
         ("trees that something couples", counts.get("coupled", 0)),
+        ("trees with rules for the whole mission", counts.get("ruled", 0)),
         ("trees of which rules refuse something", counts.get("refused", 0)),
         ("trees with equal utilities", counts.get("ties", 0)),
         ("infeasible trees", counts.get("infeasible", 0)),
@@ -121,16 +125,16 @@ def table(state: dict[str, Any]) -> str:
 
 def judge(case: Case) -> tuple[Ranking, list[tuple[str, str]]]:
     """The oracle's full list, and what is wrong with the other allocators' results, as (kind, message)."""
-    truth = _run(Exhaustive(), case, EVERYTHING)
-    faults = list(_exact_faults(case, truth))
+    truth = run(Exhaustive(), case, EVERYTHING)
+    faults = list(exact_faults(case, truth))
     for as_printed in (False, True):
         faults += _pruned_faults(case, truth, as_printed)
     faults += _limited_faults(case, truth)
     return truth, faults
 
 
-def _run(allocator: Exhaustive | ExactKBest | Pruned, case: Case, k: int) -> Ranking:
-    return allocator(case.tree, case.fleet, case.weights, k, Control())
+def run(allocator: Exhaustive | ExactKBest | Pruned, case: Case, k: int) -> Ranking:
+    return allocator(case.flat, case.fleet, case.weights, k, Control())
 
 
 def _entries(ranking: Ranking) -> list[Entry]:
@@ -141,10 +145,10 @@ def _expected_status(truth: Ranking) -> str:
     return "exact" if truth.alternatives else "infeasible"
 
 
-def _exact_faults(case: Case, truth: Ranking) -> Iterator[tuple[str, str]]:
-    """As it comes, and with states of use from the first candidate on, which small trees would seldom need."""
-    for name, settings in (("exact", ExactKBest()), ("exact by states", ExactKBest(patience=0))):
-        result = _run(settings, case, case.k)
+def exact_faults(case: Case, truth: Ranking) -> Iterator[tuple[str, str]]:
+    """As it comes, and with prices from the first candidate on, which small trees would seldom need."""
+    for name, settings in (("exact", ExactKBest()), ("exact by bounds", ExactKBest(patience=0))):
+        result = run(settings, case, case.k)
         if _entries(result) != _entries(truth)[: case.k]:
             yield "mismatch", f"{name} lists {_entries(result)}, the oracle {_entries(truth)[: case.k]}"
         if result.status != _expected_status(truth):
@@ -154,9 +158,9 @@ def _exact_faults(case: Case, truth: Ranking) -> Iterator[tuple[str, str]]:
 
 def _pruned_faults(case: Case, truth: Ranking, as_printed: bool) -> Iterator[tuple[str, str]]:
     name = "pruned as printed" if as_printed else "pruned"
-    result = _run(Pruned(as_printed=as_printed), case, case.k)
+    result = run(Pruned(as_printed=as_printed), case, case.k)
     expected = _entries(truth)[: case.k]
-    if not couples(flatten(case.tree, case.fleet, case.weights)):
+    if not couples(case.flat):
         if (_entries(result), result.status) != (expected, _expected_status(truth)):
             yield "mismatch", f"{name} lists {_entries(result)} ({result.status}), the oracle {expected}"
     elif any(entry.utility > best[0] for entry, best in zip(result.alternatives, expected, strict=False)):
@@ -175,10 +179,10 @@ def _limited_faults(case: Case, truth: Ranking) -> Iterator[tuple[str, str]]:
         ExactKBest(max_examined=few),
         ExactKBest(packing_steps=0),
         ExactKBest(packing_steps=3),
-        ExactKBest(patience=0, max_examined=few + 1),
-        ExactKBest(patience=few, max_states=20, max_examined=2 * few + 1),
+        ExactKBest(patience=0, max_nodes=(few, few)),
+        ExactKBest(patience=few, max_nodes=(10 * few, 10 * few), packing_steps=3),
     ):
-        result = _run(settings, case, case.k)
+        result = run(settings, case, case.k)
         yield from _false_claims(str(settings), case, result, truth)
         yield from _order_faults(str(settings), result, truth)
 
@@ -237,7 +241,25 @@ def broken_rule(case: Case, alternative: Alternative) -> str:
                 return "same_robot"
             if link.kind == "different_robot" and first & second:
                 return "different_robot"
-    return _broken_budget(case, leaves, robot_of)
+    return _broken_term(case, leaves, robot_of) or _broken_budget(case, leaves, robot_of)
+
+
+def _broken_term(case: Case, leaves: tuple[int, ...], robot_of: dict[int, str]) -> str:
+    busy = set(robot_of.values())
+    busy_types = {case.fleet.type_of[robot].id for robot in busy}
+    if busy & set(case.terms.without):
+        return "without"
+    if not set(case.terms.require) <= busy | busy_types:
+        return "require"
+    for kind in case.fleet.types:
+        if kind.max_in_use is not None and len(busy & {robot.id for robot in kind.members}) > kind.max_in_use:
+            return "max_in_use"
+    for name in {*case.fleet.total_limits, *case.terms.stock}:
+        used = sum(case.tree.action(leaf).uses_at_least.get(name, 0.0) for leaf in leaves)
+        limit = min(case.fleet.total_limits.get(name, used), case.terms.stock.get(name, used))
+        if used > limit + 1e-6:
+            return f"{name} of the mission"
+    return ""
 
 
 def _stands_below(case: Case, outer: int, inner: int) -> bool:

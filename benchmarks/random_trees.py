@@ -6,15 +6,20 @@ Same generator, same case: :func:`random_case` draws from the generator it is gi
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from random import Random
 
+from benchmarks.random_rules import RULES
+from missiontree.allocation.flat import Flat, flatten
 from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, GroundedTree, NodeKind, Role
+from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.mission.tree import LinkKind
 
 MAX_WORK = 200_000
+SELDOM = 0.15
 BUDGETS = ("energy_j", "water_l")
 
 
@@ -28,7 +33,9 @@ class Case:
     tree, fleet, weights, k
         As an allocator takes them.
     coupled
-        Whether budgets, teams or links were drawn at all.
+        Whether budgets, teams, links or rules for the whole mission were drawn at all.
+    terms
+        What is asked of the mission as a whole.
     """
 
     tree: GroundedTree
@@ -36,18 +43,38 @@ class Case:
     weights: Weights
     k: int
     coupled: bool
+    terms: Terms = NO_TERMS
+
+    @property
+    def flat(self) -> Flat:
+        """All of it in the form that allocators work on."""
+        return flatten(self.tree, self.fleet, self.weights, self.terms)
 
 
-def random_case(rng: Random) -> Case:
-    """Draw a case; one that is too large for the oracle is drawn again, smaller."""
+def random_case(rng: Random, rules: Sequence[str] | None = None) -> Case:
+    """
+    Draw a case; one that is too large for the oracle is drawn again, smaller.
+
+    Parameters
+    ----------
+    rng
+        Source of all luck.
+    rules
+        Rules for the whole mission that hold, see :data:`benchmarks.random_rules.RULES`. Default: each of them seldom.
+    """
     size = rng.randint(1, 20)
     while True:
-        coupled = rng.random() < 0.7
+        coupled = bool(rules) or rng.random() < 0.7
         fleet = random_fleet(rng, coupled)
         tree = random_tree(rng, fleet, size, coupled)
         if work(tree, fleet) <= MAX_WORK:
             weights = rng.choice((Weights(), Weights(), Weights(1, 0.5, 0.25), Weights(0, 1, 0)))
-            return Case(tree, fleet, weights, rng.choice((1, 2, 3, 4, 10, 1000)), coupled)
+            k = rng.choice((1, 2, 3, 4, 10, 1000))
+            drawn = [name for name in RULES if coupled and rng.random() < SELDOM] if rules is None else rules
+            terms = NO_TERMS
+            for name in drawn:
+                fleet, terms = RULES[name](rng, tree, fleet, terms)
+            return Case(tree, fleet, weights, k, coupled, terms)
         size = max(1, size - 1)
 
 

@@ -31,7 +31,7 @@ def grounded_trees(draw: st.DrawFn, size: int = 8, coupled: bool = True) -> tupl
 
 @st.composite
 def packings(draw: st.DrawFn) -> tuple[Stock, list[Load]]:
-    """Robots of one type with budgets, and loads to deal out to them, some of which must stay apart."""
+    """Robots of one type with budgets, of which so many may and some must be in use, and loads, some of which must stay apart."""
     names = draw(st.sampled_from([("e",), ("e", "w")]))
     limits = st.dictionaries(st.sampled_from(names), st.integers(0, 9))
     budgets = draw(st.lists(limits, min_size=1, max_size=3))
@@ -41,5 +41,8 @@ def packings(draw: st.DrawFn) -> tuple[Stock, list[Load]]:
     apart = [
         frozenset(b for b in range(count) if a != b and ((a, b) in pairs or (b, a) in pairs)) for a in range(count)
     ]
-    stock = Stock(tuple(f"r{index}" for index in range(len(budgets))), tuple(budgets), {})
+    most = draw(st.sampled_from([None, None, 1, 2]))
+    required = draw(st.sets(st.integers(0, len(budgets) - 1))) if draw(st.booleans()) else set()
+    names_of = tuple(f"r{index}" for index in range(len(budgets)))
+    stock = Stock(names_of, tuple(budgets), {}, max_in_use=most, required=tuple(sorted(required)))
     return stock, [Load(group, uses[group], apart[group]) for group in range(count)]

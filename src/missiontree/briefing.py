@@ -153,6 +153,9 @@ def request_from(
             weights=file.weights if weights is None else _weights(weights),
             check_kinds=file.check_kinds if check_kinds is None else check_kinds,
             goals=goals,
+            without=file.without,
+            require=file.require,
+            min_quality=file.min_quality,
         )
         refuse_huge(brief.fleet, brief.routines, brief.weights)
     except ValueError as error:

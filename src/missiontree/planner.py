@@ -13,6 +13,7 @@ from pathlib import Path
 
 from missiontree import __version__
 from missiontree.allocation import ALLOCATORS
+from missiontree.allocation.flat import flatten
 from missiontree.authoring.author import author_tree, authored_from_tree
 from missiontree.authoring.budgets import Budgets
 from missiontree.authoring.dialogue import Company
@@ -226,13 +227,16 @@ def staff_and_schedule(
     """
     brief, tree, wanted = request.brief, grounding.tree, request.k
     schedule_with, allocate = SCHEDULERS["greedy"], ALLOCATORS[request.allocator]
+    flat = flatten(tree, brief.fleet, brief.weights, brief.terms)
     done: dict[object, Schedule] = {}
     while True:
-        ranking = allocate(tree, brief.fleet, brief.weights, wanted, control.part(ALLOCATION_SHARE))
+        ranking = allocate(flat, brief.fleet, brief.weights, wanted, control.part(ALLOCATION_SHARE))
         for position, alternative in enumerate(ranking.alternatives):
             if alternative.choices not in done or done[alternative.choices].rank != alternative.rank:
                 left = len(ranking.alternatives) - position
-                done[alternative.choices] = schedule_with(tree, alternative, brief.fleet, scene, control.part(1 / left))
+                done[alternative.choices] = schedule_with(
+                    tree, alternative, brief.fleet, scene, control.part(1 / left), brief.terms
+                )
         schedules = tuple(done[alternative.choices] for alternative in ranking.alternatives)
         impossible = sum(schedule.status == "infeasible" for schedule in schedules)
         scheduled = any(schedule.status in {"optimal", "feasible"} for schedule in schedules)

@@ -17,6 +17,9 @@ PLENTY = 10**6
 
 def keeps(stock: Stock, loads: list[Load], robots: Mapping[int, int]) -> bool:
     """The rules, read off an assignment of groups to robots."""
+    busy = set(robots.values())
+    if not set(stock.required) <= busy or (stock.max_in_use is not None and len(busy) > stock.max_in_use):
+        return False
     for robot, budget in enumerate(stock.budgets):
         mine = [load for load in loads if robots[load.group] == robot]
         if any(load.group in other.apart for load in mine for other in mine):

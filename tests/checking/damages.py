@@ -85,6 +85,10 @@ def with_action(plan: Plan, leaf: int, **changes: Any) -> Plan:
     return with_grounded(plan, nodes=tuple(nodes))
 
 
+def with_brief(plan: Plan, **changes: Any) -> Plan:
+    return replace(plan, brief=replace(plan.brief, **changes))
+
+
 def with_kind(plan: Plan, type_id: str, **changes: Any) -> Plan:
     types = tuple(replace(kind, **changes) if kind.id == type_id else kind for kind in plan.brief.fleet.types)
     return replace(plan, brief=replace(plan.brief, fleet=replace(plan.brief.fleet, types=types)))
@@ -425,6 +429,53 @@ def action_renamed(plan: Plan) -> Iterator[Plan]:
 def resource_withdrawn(plan: Plan) -> Iterator[Plan]:
     for place, node in calls(plan):
         yield with_nodes(plan, place, replace(node, resources=()))
+
+
+@breaks("left_out")
+def type_left_out(plan: Plan) -> Iterator[Plan]:
+    for kind in used_types(plan):
+        if len(plan.brief.team.types) > 1:
+            yield with_brief(plan, without=(*plan.brief.without, kind.id), require=())
+
+
+@breaks("quality_below_minimum")
+def more_quality_asked(plan: Plan) -> Iterator[Plan]:
+    tree = grounded_tree(plan)
+    yield with_brief(plan, min_quality=99.0)
+    for name in dict.fromkeys(tree.action(leaf).capability for leaf, _ in leaves(plan)):
+        yield with_brief(plan, min_quality={name: 99.0})
+    for name in dict.fromkeys(node.routine for _, node in calls(plan) if node.routine is not None):
+        yield with_brief(plan, min_quality={name: 99.0})
+
+
+@breaks("robot_left_out")
+def robot_withdrawn(plan: Plan) -> Iterator[Plan]:
+    for _, schedule in schedules(plan):
+        for robot in dict.fromkeys(entry.robot for entry in schedule.assignments):
+            if robot not in plan.brief.fleet.by_id and len(plan.brief.team.robots) > 1:
+                yield with_brief(plan, without=(*plan.brief.without, robot), require=())
+
+
+@breaks("required_idle")
+def idler_required(plan: Plan) -> Iterator[Plan]:
+    fleet = plan.brief.fleet
+    for _, schedule in schedules(plan):
+        busy = {entry.robot for entry in schedule.assignments}
+        for robot in plan.brief.team.robots if busy else ():
+            if robot not in busy and robot not in fleet.by_id:
+                yield with_brief(plan, require=(robot,))
+        for kind in plan.brief.team.types if busy else ():
+            if kind.id not in {fleet.type_of[robot].id for robot in busy}:
+                yield with_brief(plan, require=(kind.id,))
+
+
+@breaks("max_in_use_exceeded")
+def fewer_in_use(plan: Plan) -> Iterator[Plan]:
+    for _, schedule in schedules(plan):
+        busy = {entry.robot for entry in schedule.assignments}
+        for kind in plan.brief.fleet.types:
+            if sum(robot.id in busy for robot in kind.members) > 1:
+                yield with_kind(plan, kind.id, max_in_use=1)
 
 
 @breaks("kind_refused")
@@ -1157,6 +1208,25 @@ def total_budget_cut(plan: Plan) -> Iterator[Plan]:
             plan.brief.fleet.type_of[leg.robot] is kind for s in plan.schedules for leg in s.legs
         ):
             yield with_kind(plan, kind.id, total_limits={"energy_j": 1.0})
+
+
+@breaks("mission_budget_exceeded")
+def mission_budget_cut(plan: Plan) -> Iterator[Plan]:
+    for kind in used_types(plan):
+        if kind.uses_per_m and any(
+            plan.brief.fleet.type_of[leg.robot] is kind for s in plan.schedules for leg in s.legs
+        ):
+            yield with_brief(plan, fleet=replace(plan.brief.fleet, total_limits={"energy_j": 1.0}))
+    if plan.brief.fleet.total_limits:
+        yield with_brief(plan, fleet=replace(plan.brief.fleet, total_limits={"energy_j": 5.0}))
+
+
+@breaks("stock_exceeded")
+def stock_cut(plan: Plan) -> Iterator[Plan]:
+    scene = plan.brief.scene
+    if scene is not None and scene.stock:
+        yield with_brief(plan, scene=replace(scene, stock={"kits": 2.0}))
+        yield with_brief(plan, scene=replace(scene, stock={"energy_j": 20.0}))
 
 
 @breaks("makespan_wrong")

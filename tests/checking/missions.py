@@ -218,3 +218,28 @@ def random_mission(seed: int) -> tuple[MissionTree, MissionBrief]:
         check_kinds=rng.random() < 0.7,
     )
     return random_tree(rng, brief), brief
+
+
+def ruled_mission(seed: int) -> tuple[MissionTree, MissionBrief]:
+    """The mission of that seed, under rules for the whole of it: totals, a stock, robots in use, left out and required, and quality."""
+    rng = random.Random(f"ruled:{seed}")  # noqa: S311 - variation, not secrecy
+    tree, brief = random_mission(seed)
+    types = tuple(replace(kind, max_in_use=rng.choice((None, 1, 2))) for kind in brief.fleet.types)
+    fleet = replace(
+        brief.fleet, types=types, total_limits=rng.choice(({}, {"energy_j": rng.choice((50.0, 300.0, 900.0))}))
+    )
+    scene = brief.scene
+    if scene is not None and rng.random() < 0.3:
+        scene = replace(scene, stock={"energy_j": rng.choice((100.0, 500.0))})
+    kept = replace(brief, fleet=fleet, scene=scene)
+    for rule in rng.sample(("without", "require", "min_quality"), rng.choice((1, 2, 3))):
+        if rule == "min_quality":
+            least = rng.choice((0.4, 1.0, {"Search": 0.5}, {"reach": 1.0, "ReachAndTransport": 0.4}))
+            kept = replace(kept, min_quality=least)
+            continue
+        names = rng.sample((*fleet.by_id, *fleet.robots, *fleet.robots), rng.choice((1, 2)))
+        try:
+            kept = replace(kept, **{rule: tuple(names)})  # type: ignore[arg-type]
+        except ValueError:
+            continue  # nobody would be left, or somebody is both left out and required
+    return tree, kept

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from missiontree.allocation import ALLOCATORS
+from missiontree.allocation.flat import flatten
 from missiontree.formats.inputs import input_digests
 from missiontree.mission.area import Area, KeepOut, Zone
 from missiontree.mission.brief import MissionBrief
@@ -31,10 +32,11 @@ THINGS = ("object", "person", "animal")
 def made(tree: MissionTree, brief: MissionBrief, k: int = 4, allocator: str = "exact") -> Plan:
     """The plan that missiontree makes of a tree."""
     grounding = ground(tree, brief)
-    ranking = ALLOCATORS[allocator](grounding.tree, brief.fleet, brief.weights, k, Control())
+    flat = flatten(grounding.tree, brief.fleet, brief.weights, brief.terms)
+    ranking = ALLOCATORS[allocator](flat, brief.fleet, brief.weights, k, Control())
     scene = brief.world.extended(tree.entities)
     schedules = tuple(
-        SCHEDULERS["greedy"](grounding.tree, alternative, brief.fleet, scene, Control())
+        SCHEDULERS["greedy"](grounding.tree, alternative, brief.fleet, scene, Control(), brief.terms)
         for alternative in ranking.alternatives
     )
     complete = ranking.status == "exact" and ranking.certificate.bound is None
@@ -346,6 +348,56 @@ def told() -> Plan:
     return plan("Reunite mom with her lost child", k=2)
 
 
+@cache
+def bounded() -> Plan:
+    """
+    A mission under every rule for the whole of it.
+
+    Four are treated, each with a kit from a stock of three, or comforted without one. Two of three medics at most are in use; the
+    nurse must take part; the trainee stays out, and so does the porter, who would do it at a quality below what is asked.
+    """
+    treat = Routine(
+        id="Treat",
+        purpose="Treat {agent}",
+        arguments=(Argument(name="agent", kinds=("person",)),),
+        branches=(
+            Branch(name="kit", roles=(_healer("treat", {"kits": 1.0, "energy_j": 10.0}),)),
+            Branch(name="comfort", roles=(_healer("comfort", {"energy_j": 4.0}),)),
+        ),
+    )
+    fleet = Fleet(
+        (
+            RobotType(id="medic", count=3, max_in_use=2, capabilities={"treat": 1.0, "comfort": 0.7}),
+            RobotType(
+                id="helper",
+                robots=(Robot(id="nurse"), Robot(id="trainee")),
+                capabilities={"treat": 0.8, "comfort": 0.9},
+            ),
+            RobotType(id="porter", count=1, capabilities={"treat": 0.2, "comfort": 0.6}),
+            RobotType(id="clown", count=1, capabilities={"comfort": 2.0}),
+        ),
+        total_limits={"energy_j": 35.0},
+    )
+    names = ("Ann", "Bea", "Cem", "Dag")
+    tree = flat_tree(*(routine_node(f"treat-{name}", "Treat", agent=name) for name in names))
+    scene = Scene(stock={"kits": 3.0}, entities=tuple(Entity(id=name, kind="person") for name in names))
+    brief = brief_of(
+        tree,
+        fleet=fleet,
+        routines=RoutineLibrary(routines=(treat,)),
+        scene=scene,
+        without=("trainee", "clown"),
+        require=("nurse",),
+        min_quality={"Treat": 0.5, "comfort": 0.65},
+    )
+    return made(tree, brief)
+
+
+def _healer(ability: str, uses: dict[str, float]) -> RoleSpec:
+    step = ActionStep(name=ability, text="See to {agent}", duration_s=20.0, at="agent", uses=uses)
+    return RoleSpec(name=ability, rating=ability, actions=(step,))
+
+
 PLANS = {
     "reunite": reunite,
     "rescue": rescue,
@@ -355,4 +407,5 @@ PLANS = {
     "maze": maze,
     "strays": strays,
     "told": told,
+    "bounded": bounded,
 }

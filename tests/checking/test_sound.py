@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from missiontree.checking import check
-from tests.checking.missions import random_mission
+from tests.checking.missions import random_mission, ruled_mission
 from tests.checking.plans import made
 
 BATCH = 20
@@ -20,6 +20,17 @@ def test_plans_of_random_missions_have_no_findings(batch: int) -> None:
         assert check(plan) == (), f"seed {seed}"
         travelled += sum(len(schedule.legs) for schedule in plan.schedules)
     assert travelled > 0, "no robot of the batch moves: the missions test nothing"
+
+
+@pytest.mark.parametrize("batch", range(5))
+def test_plans_under_rules_for_the_whole_mission_have_no_findings(batch: int) -> None:
+    """A hundred missions more, of which some are delivered, and some are not."""
+    outcomes = set()
+    for seed in range(batch * BATCH, (batch + 1) * BATCH):
+        plan = made(*ruled_mission(seed))
+        assert check(plan) == (), f"seed {seed}"
+        outcomes.add(plan.outcome)
+    assert {"delivered", "cannot_be_done"} <= outcomes
 
 
 @pytest.mark.parametrize("allocator", ["exhaustive", "pruned"])

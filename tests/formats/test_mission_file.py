@@ -2,6 +2,7 @@
 
 import pytest
 
+from missiontree.errors import InputError
 from missiontree.formats.document import read_text
 from missiontree.formats.mission_file import MissionFile
 from missiontree.formats.routine_file import RoutineFile
@@ -28,6 +29,21 @@ def test_a_mission_file_is_read() -> None:
         weights=Weights(beta=0.01),
         k=2,
     )
+
+
+def test_a_mission_file_says_who_and_how_good() -> None:
+    text = "mission: Go\nwithout: [mule]\nrequire: [rover, red]\nmin_quality: {Search: 0.8, carry: 0.5}\n"
+    file = read_text(text, "mission")
+    assert (file.without, file.require) == (("mule",), ("rover", "red"))
+    assert file.min_quality == {"Search": 0.8, "carry": 0.5}
+    assert read_text("mission: Go\nmin_quality: 0.5\n", "mission").min_quality == 0.5
+
+
+def test_a_minimum_of_quality_is_no_less_than_0() -> None:
+    with pytest.raises(InputError, match=r"min_quality"):
+        read_text("mission: Go\nmin_quality: -1\n", "mission")
+    with pytest.raises(InputError, match=r"min_quality"):
+        read_text("mission: Go\nmin_quality: {Search: -1}\n", "mission")
 
 
 def test_a_mission_file_needs_words_or_a_tree() -> None:

@@ -11,10 +11,11 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
+from missiontree.mission.terms import NO_TERMS, Terms
 from tests.scheduling.instances import Instance
 
 
-def least_makespan(instance: Instance, fleet: Fleet, world: Scene) -> int | None:
+def least_makespan(instance: Instance, fleet: Fleet, world: Scene, terms: Terms = NO_TERMS) -> int | None:
     """Least makespan in milliseconds; None if nothing works. Entities must not be moved, and there must be no budgets."""
     tree = instance.tree
     leaves = selected_leaves(tree, instance.alternative.choices)
@@ -26,13 +27,23 @@ def least_makespan(instance: Instance, fleet: Fleet, world: Scene) -> int | None
     best: int | None = None
     for robots in product(*([robot.id for robot in fleet.by_id[kind].members] for kind in types)):
         binding = dict(zip(names, robots, strict=True))
-        if not _staffed(instance, binding):
+        if not _staffed(instance, binding) or not keeps_terms(set(robots), fleet, terms):
             continue
         for sequence in _sequences(binding):
             ends = _ends(instance, fleet, world, leaves, roles, sequence)
             if ends is not None and (best is None or ends < best):
                 best = ends
     return best
+
+
+def keeps_terms(busy: set[str], fleet: Fleet, terms: Terms) -> bool:
+    """Whether these robots at work are all who must be, none who may not, and no more than may be."""
+    if busy & set(terms.without) or not set(terms.require) <= busy | {fleet.type_of[robot].id for robot in busy}:
+        return False
+    return all(
+        kind.max_in_use is None or sum(robot.id in busy for robot in kind.members) <= kind.max_in_use
+        for kind in fleet.types
+    )
 
 
 def _under(instance: Instance, leaves: Sequence[int], node: int) -> list[int]:

@@ -11,16 +11,18 @@ def couples(flat: Flat) -> bool:
     """
     Whether some rule might refuse a way through the tree.
 
-    Rules are budgets that an action uses, links about robots, teams that could want more robots of a type than there are, and
-    roles whose actions could name two types at once. False is certain; true only means that somebody has to look.
+    Rules are budgets that an action uses, links about robots, somebody who must take part, teams that could want more robots of a
+    type than may be in use, and roles whose actions could name two types at once. Without any of these one robot of each type, or
+    one team of them, can do everything, so that a maximum in use refuses nothing. False is certain; true only means that somebody
+    has to look.
     """
-    return bool(any(flat.uses) or flat.links or _crowded_team(flat) or _torn_role(flat))
+    return bool(any(flat.uses) or flat.links or flat.required or _crowded_team(flat) or _torn_role(flat))
 
 
 def _crowded_team(flat: Flat) -> bool:
     filled = {(role, kind) for role, kind in zip(flat.role, flat.robot_type, strict=True) if role >= 0}
     sizes = Counter((flat.team[role], kind) for role, kind in filled if flat.team[role] is not None)
-    return any(size > len(flat.stocks[kind].robots) for (_, kind), size in sizes.items())
+    return any(size > flat.stocks[kind].usable for (_, kind), size in sizes.items())
 
 
 def _torn_role(flat: Flat) -> bool:

@@ -13,7 +13,7 @@ from itertools import islice, product
 from math import prod
 
 from missiontree.allocation.feasibility import Verdict
-from missiontree.allocation.flat import Flat, flatten
+from missiontree.allocation.flat import Flat, Stock, flatten
 from missiontree.allocation.selection import Selection
 from missiontree.allocation.writing import Writer, impossible, require_count
 from missiontree.mission.alternative import Ranking
@@ -43,7 +43,7 @@ class Exhaustive:
     max_examined: int = 200_000
     max_assignments: int = 200_000
 
-    def __call__(self, tree: GroundedTree, fleet: Fleet, weights: Weights, k: int, control: Control) -> Ranking:
+    def __call__(self, tree: GroundedTree | Flat, fleet: Fleet, weights: Weights, k: int, control: Control) -> Ranking:
         """See :class:`missiontree.allocation.allocator.Allocator`."""
         require_count(k)
         flat = flatten(tree, fleet, weights)
@@ -136,6 +136,10 @@ class _Judge:
         for leaf in selection.leaves:
             if types.setdefault(flat.role[leaf], flat.robot_type[leaf]) != flat.robot_type[leaf]:
                 return Verdict("no")
+        if not set(flat.required) <= set(types.values()):
+            return Verdict("no")
+        if not self._shared_kept(selection):
+            return Verdict("no")
         same = [self._roles_under(link, selection) for link in flat.same_robot if set(link) <= set(selection.nodes)]
         apart = [
             self._roles_under(link, selection) for link in flat.different_robot if set(link) <= set(selection.nodes)
@@ -148,7 +152,8 @@ class _Judge:
             robots = range(len(flat.stocks[type_id].robots))
             found = None
             for tried in islice(product(robots, repeat=len(roles)), self.max_assignments):
-                if self._keeps(type_id, dict(zip(roles, tried, strict=True)), selection, same, apart):
+                asked = _as_many_as_asked(flat.stocks[type_id], set(tried))
+                if asked and self._keeps(type_id, dict(zip(roles, tried, strict=True)), selection, same, apart):
                     found = tried
                     break
             if found is None:
@@ -156,6 +161,13 @@ class _Judge:
                 return Verdict("undecided" if too_many else "no")
             witness.update((role, flat.stocks[type_id].robots[at]) for role, at in zip(roles, found, strict=True))
         return Verdict("yes", tuple(sorted(witness.items())))
+
+    def _shared_kept(self, selection: Selection) -> bool:
+        """Whether the whole mission keeps what all robots share, whoever does what."""
+        for name, shared in self.flat.shared.items():
+            if sum(self.flat.uses[leaf].get(name, 0) for leaf in selection.leaves) > shared.limit:
+                return False
+        return True
 
     def _roles_under(self, link: tuple[int, int], selection: Selection) -> tuple[set[int], set[int]]:
         first, second = ({self.flat.role[leaf] for leaf in selection.leaves if self._above(end, leaf)} for end in link)
@@ -199,3 +211,9 @@ class _Judge:
         if any(used > stock.totals.get(name, used) for name, used in together.items()):
             return False
         return all(used <= stock.budgets[robot].get(name, used) for (robot, name), used in spent.items())
+
+
+def _as_many_as_asked(stock: Stock, busy: set[int]) -> bool:
+    """Whether no more robots work than may be in use, and all that must."""
+    few = stock.max_in_use is None or len(busy) <= stock.max_in_use
+    return few and all(robot in busy for robot in stock.required)

@@ -1,10 +1,11 @@
 """
 Does this choice of robots stay inside their limits?
 
-Totals per type add up over all robots of the type. A limit per robot holds if *some* assignment of the roles to the type's
-robots keeps every robot within it; roles of one team, and the two sides of a different-robot link, are filled by different
-robots, and everything under the two ends of a same-robot link by one. Robots are not used up: one robot may fill any number
-of roles, one after the other. Types never share a robot, so each type is decided by itself, see :mod:`packing`.
+Totals per type add up over all robots of the type, totals and stocks of the mission over all robots there are. A limit per robot
+holds if *some* assignment of the roles to the type's robots keeps every robot within it; roles of one team, and the two sides of a
+different-robot link, are filled by different robots, and everything under the two ends of a same-robot link by one. Robots are not
+used up: one robot may fill any number of roles, one after the other; but no more robots of a type take part than may be in use, and
+all that must. Types never share a robot, so each type is decided by itself, see :mod:`packing`.
 
 The answer has three values. Packing is hard in the worst case, and beyond a number of steps it is given up as *undecided*,
 which is neither a proof of feasibility nor of the opposite.
@@ -17,10 +18,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
-from missiontree.allocation.flat import AMOUNT_SCALE, Flat, Stock
-from missiontree.allocation.packing import Load, pack
+from missiontree.allocation.flat import AMOUNT_SCALE, Flat, Shared, Stock
+from missiontree.allocation.packing import Load, Packed, pack
 from missiontree.allocation.selection import Selection
-from missiontree.allocation.wording import of_all_robots
+from missiontree.allocation.wording import of_all_robots, of_the_mission, type_idle
 from missiontree.mission.reason import Reason
 
 DEFAULT_STEPS = 20_000
@@ -76,6 +77,7 @@ class Feasibility:
 
     def _decide(self, selection: Selection) -> Verdict:
         types = self._types(selection)
+        self._check_required(types)
         uses = self._uses(selection)
         self._check_totals(types, uses)
         linked = self._bound_links(selection)
@@ -87,7 +89,7 @@ class Feasibility:
         for type_id, loads in sorted(_loads(group_of, types, uses, apart).items()):
             packed = pack(self.flat.stocks[type_id], loads, self.steps)
             if packed.answer == "no":
-                raise _Refused(_cannot_pack(type_id, self.flat.stocks[type_id], packed.name, len(loads)))
+                raise _Refused(_cannot_pack(type_id, self.flat.stocks[type_id], packed, len(loads)))
             undecided |= packed.answer == "undecided"
             robot_of.update({group: self.flat.stocks[type_id].robots[robot] for group, robot in packed.robots.items()})
         if undecided:
@@ -102,6 +104,12 @@ class Feasibility:
                 message = f"A role's actions name two robot types, {types[role]} and {kind}; one robot fills a role."
                 raise _Refused(Reason(rule="role_torn", message=message))
         return types
+
+    def _check_required(self, types: dict[int, str]) -> None:
+        taking_part = set(types.values()) if self.flat.required else set()
+        for type_id, named in self.flat.required.items():
+            if type_id not in taking_part:
+                raise _Refused(type_idle(type_id, named))
 
     def _uses(self, selection: Selection) -> dict[int, Counter[str]]:
         uses: dict[int, Counter[str]] = {}
@@ -119,6 +127,10 @@ class Feasibility:
                 there = self.flat.stocks[type_id].pooled(name)
                 if there is not None and needed > there:
                     raise _Refused(_over_budget(type_id, self.flat.stocks[type_id], name, needed, there))
+        for name, shared in self.flat.shared.items():
+            needed = sum(used[name] for used in spent.values())
+            if needed > shared.limit:
+                raise _Refused(_over_shared(name, shared, needed))
 
     def _bound_links(self, selection: Selection) -> dict[str, list[tuple[list[int], list[int]]]]:
         """The roles on both sides of every link whose two nodes are selected."""
@@ -210,8 +222,38 @@ def _over_budget(type_id: str, stock: Stock, name: str, needed: int, there: int)
     )
 
 
-def _cannot_pack(type_id: str, stock: Stock, name: str, groups: int) -> Reason:
-    if not name:
+def _over_shared(name: str, shared: Shared, needed: int) -> Reason:
+    holder = of_the_mission(name, shared)
+    wanted, held = f"{needed / AMOUNT_SCALE:g}", f"{shared.limit / AMOUNT_SCALE:g}"
+    return Reason(
+        rule="budget_exceeded",
+        message=f"The robots would use {wanted} of {name}, and {holder.whose} may use {held}.",
+        found=f"{name} {held}",
+        needed=f"{name} {wanted}",
+        hint=holder.remedy,
+    )
+
+
+def _cannot_pack(type_id: str, stock: Stock, packed: Packed, groups: int) -> Reason:
+    if packed.because == "required":
+        names = " and ".join(stock.robots[robot] for robot in stock.required)
+        return Reason(
+            rule="required_idle",
+            message=f"{names} must take part, and no way of dealing {_shares(groups)} out to the robots of type {type_id} lets them.",
+            robot=type_id,
+            needed=names,
+            hint="Require fewer robots, or give the task another way of being done.",
+        )
+    if packed.because == "in_use":
+        return Reason(
+            rule="max_in_use_exceeded",
+            message=f"No way of dealing {_shares(groups)} out to at most {stock.usable} robots of type {type_id} keeps every rule.",
+            robot=type_id,
+            found=f"max_in_use {stock.usable}",
+            needed="max_in_use more",
+            hint=f"Raise max_in_use of type {type_id}, or give the task another way of being done.",
+        )
+    if packed.because == "apart":
         message = f"More robots of type {type_id} are needed at once, or kept apart, than there are."
         return Reason(rule="too_few_robots", message=message, robot=type_id)
     whom = (
@@ -219,6 +261,9 @@ def _cannot_pack(type_id: str, stock: Stock, name: str, groups: int) -> Reason:
         if len(stock.robots) > 1
         else f"the only robot of type {type_id} keeps it"
     )
-    shares = f"{groups} roles" if groups > 1 else "one role"
-    message = f"No way of dealing {shares} out to {whom} within its {name}."
-    return Reason(rule="budget_exceeded", message=message, robot=type_id, needed=name)
+    message = f"No way of dealing {_shares(groups)} out to {whom} within its {packed.name}."
+    return Reason(rule="budget_exceeded", message=message, robot=type_id, needed=packed.name)
+
+
+def _shares(groups: int) -> str:
+    return f"{groups} roles" if groups > 1 else "one role"

@@ -7,17 +7,25 @@ leaf, so that every sum is exact and no rank or refusal hangs on the order of ad
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
+from heapq import nlargest
+from typing import Literal
 
 from missiontree.errors import InputError
 from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.grounded import GroundedTree, NodeKind
+from missiontree.mission.terms import NO_TERMS, Terms
 
 AMOUNT_SCALE = 10**9
+EVERYBODY = ""
+"""Stands in a purse for all robots of the mission, where other purses name a robot type."""
+
+Purse = tuple[str, str]
+"""Robot type, or :data:`EVERYBODY`, and name of the budget."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,17 +41,28 @@ class Stock:
         Per robot, what it may use of each budget, in billionths.
     totals
         What all of them together may use, in billionths.
+    max_in_use
+        How many different robots may take part; None (default) means all.
+    required
+        Positions of robots each of which must take part. Default none.
     """
 
     robots: tuple[str, ...]
     budgets: tuple[Mapping[str, int], ...]
     totals: Mapping[str, int]
+    max_in_use: int | None = None
+    required: tuple[int, ...] = ()
+
+    @property
+    def usable(self) -> int:
+        """How many different robots may take part."""
+        return len(self.robots) if self.max_in_use is None else min(self.max_in_use, len(self.robots))
 
     def pooled(self, name: str) -> int | None:
         """No selection uses more of a budget than this, whoever does what; None if nothing limits it."""
         bounds = [self.totals[name]] if name in self.totals else []
         if all(name in budget for budget in self.budgets):
-            bounds.append(sum(budget[name] for budget in self.budgets))
+            bounds.append(sum(nlargest(self.usable, (budget[name] for budget in self.budgets))))
         return min(bounds, default=None)
 
     def largest(self, name: str) -> int | None:
@@ -52,6 +71,23 @@ class Stock:
         if all(name in budget for budget in self.budgets):
             bounds.append(max(budget[name] for budget in self.budgets))
         return min(bounds, default=None)
+
+
+@dataclass(frozen=True, slots=True)
+class Shared:
+    """
+    What all robots of the mission together may use of one budget.
+
+    Parameters
+    ----------
+    limit
+        How much, in billionths.
+    source
+        Where the limit stands: in the ``fleet`` (total_limits), or in the ``scene`` (stock).
+    """
+
+    limit: int
+    source: Literal["fleet", "scene"]
 
 
 @dataclass(frozen=True)
@@ -68,13 +104,17 @@ class Flat:
     role, robot_type
         Of each leaf; -1 and "" elsewhere.
     uses
-        What each leaf uses at least of the budgets that its type limits, in billionths.
+        What each leaf uses at least of the budgets that its type or the mission limits, in billionths.
     team
         Team number per role.
     same_robot, different_robot
         Links, as pairs of nodes.
     stocks
         What the robots of each type in the tree may use.
+    shared
+        What all robots together may use, by name of the budget. Default: no such limit.
+    required
+        Types that must fill a role each, with what the operator named: the type, robots of it, or both. Default none.
     """
 
     kind: tuple[NodeKind, ...]
@@ -89,6 +129,21 @@ class Flat:
     same_robot: tuple[tuple[int, int], ...]
     different_robot: tuple[tuple[int, int], ...]
     stocks: Mapping[str, Stock]
+    shared: Mapping[str, Shared] = field(default_factory=dict)
+    required: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+
+    def charges(self, leaf: int) -> Iterator[tuple[Purse, int]]:
+        """What a leaf takes from its type's purses and from the mission's."""
+        type_id = self.robot_type[leaf]
+        for name, used in self.uses[leaf].items():
+            yield (type_id, name), used
+            if name in self.shared:
+                yield (EVERYBODY, name), used
+
+    def held(self, purse: Purse) -> int | None:
+        """No selection takes more from a purse than this; None if nothing limits it."""
+        type_id, name = purse
+        return self.shared[name].limit if type_id == EVERYBODY else self.stocks[type_id].pooled(name)
 
     @property
     def links(self) -> tuple[tuple[int, int], ...]:
@@ -114,17 +169,28 @@ def amount(value: float) -> int:
     return round(Fraction(value) * AMOUNT_SCALE)
 
 
-def flatten(tree: GroundedTree, fleet: Fleet, weights: Weights) -> Flat:
+def flatten(tree: GroundedTree | Flat, fleet: Fleet, weights: Weights, terms: Terms = NO_TERMS) -> Flat:
     """
-    Put a grounded tree, a fleet and weights into the form that allocators work on.
+    Put a grounded tree, a fleet and weights into the form that allocators work on; what is in it already is taken as it is.
+
+    Parameters
+    ----------
+    tree, fleet, weights
+        As an allocator takes them.
+    terms
+        Who is left out or required, and what the scene holds for the whole mission. Default: nothing of all this.
 
     Raises
     ------
     InputError
-        If an action names a robot type that the fleet does not have.
+        If an action names a robot type that the fleet does not have, or that is left out.
     """
-    stocks = _stocks(tree, fleet)
-    limited = {name: frozenset(stock.totals).union(*stock.budgets) for name, stock in stocks.items()}
+    if isinstance(tree, Flat):
+        return tree
+    stocks = _stocks(tree, terms.team_of(fleet), terms.required_robots(fleet))
+    used_names = {name for node in tree.nodes if node.action is not None for name in node.action.uses_at_least}
+    shared = _shared(used_names, fleet, terms)
+    limited = {name: frozenset(stock.totals).union(shared, *stock.budgets) for name, stock in stocks.items()}
     utilities: dict[Estimate, int] = {}
     utility, role, robot_type, uses = [], [], [], []
     for node in tree.nodes:
@@ -153,7 +219,20 @@ def flatten(tree: GroundedTree, fleet: Fleet, weights: Weights) -> Flat:
         same_robot=tuple((link.first, link.second) for link in tree.links if link.kind == "same_robot"),
         different_robot=tuple((link.first, link.second) for link in tree.links if link.kind == "different_robot"),
         stocks=stocks,
+        shared=shared,
+        required=terms.required_by_type(fleet),
     )
+
+
+def without_budgets(flat: Flat) -> Flat:
+    """The same problem, with robots that no budget limits."""
+    stocks = {name: unlimited(stock) for name, stock in flat.stocks.items()}
+    return replace(flat, uses=(_NOTHING,) * len(flat.uses), stocks=stocks, shared={})
+
+
+def unlimited(stock: Stock) -> Stock:
+    """The same robots without budgets."""
+    return replace(stock, budgets=(_NOTHING,) * len(stock.robots), totals=_NOTHING)
 
 
 _NOTHING: Mapping[str, int] = {}
@@ -166,7 +245,18 @@ def _limited_uses(uses: Mapping[str, float], limited: frozenset[str]) -> Mapping
     return {name: used for name, used in exact.items() if used}
 
 
-def _stocks(tree: GroundedTree, fleet: Fleet) -> dict[str, Stock]:
+def _shared(used: Iterable[str], fleet: Fleet, terms: Terms) -> dict[str, Shared]:
+    """The tighter of the fleet's total and the scene's stock, for every budget that is used."""
+    found: dict[str, Shared] = {}
+    for name in sorted(used):
+        limits = [Shared(amount(fleet.total_limits[name]), "fleet")] if name in fleet.total_limits else []
+        limits += [Shared(amount(terms.stock[name]), "scene")] if name in terms.stock else []
+        if limits:
+            found[name] = min(limits, key=lambda shared: shared.limit)
+    return found
+
+
+def _stocks(tree: GroundedTree, fleet: Fleet, required: tuple[str, ...]) -> dict[str, Stock]:
     named = dict.fromkeys(node.action.robot_type for node in tree.nodes if node.action is not None)
     used: dict[str, set[str]] = {name: set() for name in named}
     for node in tree.nodes:
@@ -178,14 +268,20 @@ def _stocks(tree: GroundedTree, fleet: Fleet) -> dict[str, Stock]:
                 f"the tree has actions of robot type {name!r}, which the fleet does not have",
                 accepted=", ".join(fleet.by_id),
             )
-    return {name: _stock(fleet.by_id[name], sorted(used[name])) for name in named}
+    return {name: _stock(fleet.by_id[name], sorted(used[name]), required) for name in named}
 
 
-def _stock(robot_type: RobotType, names: list[str]) -> Stock:
+def _stock(robot_type: RobotType, names: list[str], required: tuple[str, ...]) -> Stock:
     members = robot_type.members
     budgets = []
     for robot in members:
         found = {name: robot_type.budget(robot, name) for name in names}
         budgets.append({name: amount(limit) for name, limit in found.items() if limit is not None})
     totals = {name: amount(robot_type.total_limits[name]) for name in names if name in robot_type.total_limits}
-    return Stock(tuple(robot.id for robot in members), tuple(budgets), totals)
+    return Stock(
+        robots=tuple(robot.id for robot in members),
+        budgets=tuple(budgets),
+        totals=totals,
+        max_in_use=robot_type.max_in_use if robot_type.usable < len(members) else None,
+        required=tuple(place for place, robot in enumerate(members) if robot.id in required),
+    )

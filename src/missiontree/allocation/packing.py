@@ -1,5 +1,6 @@
 """
-Deal roles out to the robots of one type so that every robot stays within its budgets: exact backtracking.
+Deal roles out to the robots of one type so that every robot stays within its budgets, no more robots are in use than may be, and
+those that must take part do: exact backtracking.
 
 The strongest demand goes first, to the robot that has least to do so far, which also spreads work for the scheduler. Robots
 in the same state are tried once, and states that failed are remembered, robots unordered.
@@ -8,12 +9,13 @@ in the same state are tried once, and states that failed are remembered, robots 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
-from missiontree.allocation.flat import Stock
+from missiontree.allocation.flat import Stock, unlimited
 
-State = tuple[tuple[tuple[str, int], ...], tuple[int, ...]]
+State = tuple[tuple[tuple[str, int], ...], tuple[int, ...], int]
+Because = Literal["budget", "apart", "in_use", "required"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,24 +51,43 @@ class Packed:
         Index of the robot by group, if the answer is yes.
     name
         A budget without which the answer might not be no; empty if budgets have no part in it.
+    because
+        What stands against it, if the answer is no: budgets, who must stay apart, how many may be in use, or who must take part.
     """
 
     answer: Literal["yes", "no", "undecided"]
     robots: Mapping[int, int] = field(default_factory=dict)
     name: str = ""
+    because: Because = "budget"
 
 
 def pack(stock: Stock, loads: Sequence[Load], steps: int) -> Packed:
     """Find a robot for every load, or prove that there is no way, or give up after so many steps."""
-    packer = _Packer(stock, loads, steps)
-    if not packer.names and not any(load.apart for load in loads):
-        return Packed("yes", {load.group: index % len(stock.robots) for index, load in enumerate(loads)})
-    packed = packer.run()
-    if packed.answer == "no" and packed.name and any(load.apart for load in loads):
-        unlimited = Stock(stock.robots, ({},) * len(stock.robots), {})
-        if _Packer(unlimited, loads, steps).run().answer == "no":
-            return Packed("no")
+    packed = _packed(stock, loads, steps)
+    if packed.answer != "no":
+        return packed
+    if stock.required and _packed(replace(stock, required=()), loads, steps).answer == "yes":
+        return Packed("no", because="required")
+    if stock.usable < len(stock.robots):
+        freed = replace(stock, required=(), max_in_use=None)
+        if _packed(freed, loads, steps).answer == "yes":
+            return Packed("no", because="in_use")
+    bare = replace(unlimited(stock), required=(), max_in_use=None)
+    if any(load.apart for load in loads) and (not packed.name or _packed(bare, loads, steps).answer == "no"):
+        return Packed("no", because="apart")
     return packed
+
+
+def _packed(stock: Stock, loads: Sequence[Load], steps: int) -> Packed:
+    packer = _Packer(stock, loads, steps)
+    if packer.names or any(load.apart for load in loads):
+        return packer.run()
+    # Nothing but numbers counts: the required ones first, then as many others as may be in use, in turn.
+    others = (robot for robot in range(len(stock.robots)) if robot not in stock.required)
+    taken = [*stock.required, *others][: stock.usable]
+    if len(stock.required) > min(len(taken), len(loads)):
+        return Packed("no")
+    return Packed("yes", {load.group: taken[index % len(taken)] for index, load in enumerate(loads)})
 
 
 class _Packer:
@@ -82,6 +103,8 @@ class _Packer:
         self.order = {load.group: depth for depth, load in enumerate(self.loads)}
         self.left = [{name: left[name] for name in self.names if name in left} for left in stock.budgets]
         self.held: list[list[Load]] = [[] for _ in stock.robots]
+        self.required, self.most = frozenset(stock.required), stock.usable
+        self.counting = bool(stock.required) or stock.usable < len(stock.robots)
         self.steps = steps
         self.failed: set[tuple[int, tuple[State, ...]]] = set()
         # Beyond these depths nobody can have to stay apart from the group any more.
@@ -96,7 +119,7 @@ class _Packer:
             depth = len(trail)
             states = [self._state(robot, depth) for robot in range(len(self.held))]
             key = (depth, tuple(sorted(states)))
-            trail.append([] if key in self.failed else self._robots_for(self.loads[depth], states))
+            trail.append([] if key in self.failed else self._robots_for(depth, states))
             keys.append(key)
             while not trail[-1]:
                 trail.pop()
@@ -112,18 +135,35 @@ class _Packer:
 
     def _state(self, robot: int, depth: int) -> State:
         lasting = tuple(sorted(load.group for load in self.held[robot] if self.matters[load.group] >= depth))
-        return tuple(sorted(self.left[robot].items())), lasting
+        # Who does nothing yet is told from who does something only where it is counted.
+        standing = (2 if robot in self.required else 1) if self.counting and not self.held[robot] else 0
+        return tuple(sorted(self.left[robot].items())), lasting, standing
 
-    def _robots_for(self, load: Load, states: Sequence[State]) -> list[int]:
-        """Robots that can take the load, one per state, the first to try at the end."""
+    def _idle_required(self) -> int:
+        return sum(not self.held[robot] for robot in self.required)
+
+    def _may_begin(self, robot: int) -> bool:
+        """Whether a robot that does nothing yet may do something: places are kept for those that are required."""
+        busy = sum(map(bool, self.held))
+        return busy + self._idle_required() + (robot not in self.required) <= self.most
+
+    def _robots_for(self, depth: int, states: Sequence[State]) -> list[int]:
+        """Robots that can take the load at a depth, one per state, the first to try at the end."""
+        load, spare = self.loads[depth], len(self.loads) - depth - self._idle_required()
+        if spare < 0:
+            return []
         idlest_first = sorted(range(len(self.held)), key=lambda robot: (len(self.held[robot]), robot))
         one_per_state: dict[State, int] = {}
         for robot in idlest_first:
+            if not spare and (self.held[robot] or robot not in self.required):
+                continue  # as many loads are left as required robots that do nothing yet
             if states[robot] not in one_per_state and self._fits(load, robot):
                 one_per_state[states[robot]] = robot
         return list(one_per_state.values())[::-1]
 
     def _fits(self, load: Load, robot: int) -> bool:
+        if self.counting and not self.held[robot] and not self._may_begin(robot):
+            return False
         left = self.left[robot]
         return all(used <= left[name] for name, used in load.uses.items() if name in left) and not any(
             held.group in load.apart for held in self.held[robot]

@@ -3,20 +3,23 @@ Which nodes can be done at all, by one sweep from the leaves up.
 
 An XOR needs a possible child, an AND needs all of them. On top of that, what a node uses *at least*, whatever is chosen below
 it, must not exceed what there is: a sum at an AND, a minimum over the possible children at an XOR. The least use is kept per
-type, per role (which one robot fills) and over all types that are limited; it never refuses a node that some feasible
-alternative selects.
+type, per role (which one robot fills), over all types that are limited, and for the mission; it never refuses a node that some
+feasible alternative selects. And where a type that must take part has nothing to do anywhere, the mission is impossible.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from missiontree.allocation.flat import AMOUNT_SCALE, Flat
-from missiontree.allocation.wording import Holder, of_all_robots, of_one_robot, of_types
+from missiontree.allocation.wording import Holder, of_all_robots, of_one_robot, of_the_mission, of_types, type_idle
 from missiontree.mission.reason import Reason, Severity
 
-Purse = tuple[str, int, str]  # robot type ("" for all of them), role (-1 for all of them), name of the budget
+MISSION = "*"  # stands for all robots in a purse that the mission limits, as "" does in the sum of what types have
+Purse = tuple[
+    str, int, str
+]  # robot type ("" or MISSION for all of them), role (-1 for all of them), name of the budget
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,10 +43,13 @@ class Possibility:
         Per node, whether some alternative could select it.
     excesses
         Nodes refused because of budgets, children before parents.
+    idle
+        Types that must take part and have nothing to do anywhere.
     """
 
     possible: Sequence[bool]
     excesses: list[Excess] = field(default_factory=list)
+    idle: tuple[str, ...] = ()
 
 
 def structurally_possible(flat: Flat) -> list[bool]:
@@ -58,10 +64,10 @@ def structurally_possible(flat: Flat) -> list[bool]:
 
 
 def possible_nodes(flat: Flat) -> Possibility:
-    """Which nodes can be done with what the robots may use."""
+    """Which nodes can be done with what the robots may use, and with everybody who must take part."""
     possible = structurally_possible(flat)
     if not any(flat.uses):
-        return Possibility(possible)
+        return _with_required(flat, Possibility(possible))
     found = Possibility(possible)
     limits = _Limits(flat)
     least: dict[int, dict[Purse, int]] = {}
@@ -82,7 +88,16 @@ def possible_nodes(flat: Flat) -> Possibility:
             found.excesses.append(excess)
         elif use:
             least[node] = use
-    return found
+    return _with_required(flat, found)
+
+
+def _with_required(flat: Flat, found: Possibility) -> Possibility:
+    """Nothing is possible if a type that must take part has no possible action."""
+    if not flat.required:
+        return found
+    there = {type_id for type_id, possible in zip(flat.robot_type, found.possible, strict=True) if possible}
+    idle = tuple(type_id for type_id in flat.required if type_id not in there)
+    return replace(found, possible=[False] * len(flat.kind), idle=idle) if idle else found
 
 
 def _sum(parts: list[dict[Purse, int]]) -> tuple[dict[Purse, int], set[Purse]]:
@@ -131,14 +146,18 @@ class _Limits:
             if self.pooled[type_id, name] is not None:
                 charged[type_id, -1, name] = used
                 charged["", -1, name] = used
+            if name in self.flat.shared:
+                charged[MISSION, -1, name] = used
         return charged
 
     def excess(self, node: int, use: Mapping[Purse, int], touched: set[Purse] | None) -> Excess | None:
         # One type's purse first: what a single type lacks is not to be told of all types together.
-        for purse in sorted(use if touched is None else touched, key=lambda purse: (not purse[0], purse)):
+        for purse in sorted(use if touched is None else touched, key=lambda purse: (purse[0] in {"", MISSION}, purse)):
             type_id, role, name = purse
             if not type_id:
                 limit: int | None = self.everywhere[name]
+            elif type_id == MISSION:
+                limit = self.flat.shared[name].limit
             else:
                 limit = (self.pooled if role < 0 else self.largest)[type_id, name]
             if limit is not None and use[purse] > limit:
@@ -147,8 +166,10 @@ class _Limits:
 
 
 def reasons_of(flat: Flat, possibility: Possibility, severity: Severity, limit: int = 8) -> tuple[Reason, ...]:
-    """The refusals nearest to the root in words, one per budget and type."""
-    said: dict[tuple[str, str], Reason] = {}
+    """Who must take part in vain, and the refusals nearest to the root in words, one per budget and type."""
+    said: dict[tuple[str, str], Reason] = {
+        (type_id, ""): type_idle(type_id, flat.required[type_id], severity) for type_id in possibility.idle
+    }
     for excess in reversed(possibility.excesses):
         type_id, _, name = excess.purse
         if (type_id, name) in said or len(said) == limit:
@@ -160,7 +181,7 @@ def reasons_of(flat: Flat, possibility: Possibility, severity: Severity, limit: 
             severity=severity,
             message=f'Whatever is chosen, "{flat.label[excess.node]}" uses {needed:g} of {name}, and {holder.whose} may use {there:g}.',
             node=flat.label[excess.node],
-            robot=type_id,
+            robot="" if type_id == MISSION else type_id,
             found=f"{name} {there:g}",
             needed=f"{name} {needed:g}",
             hint=holder.remedy,
@@ -170,6 +191,8 @@ def reasons_of(flat: Flat, possibility: Possibility, severity: Severity, limit: 
 
 def _holder(flat: Flat, purse: Purse) -> Holder:
     type_id, role, name = purse
+    if type_id == MISSION:
+        return of_the_mission(name, flat.shared[name])
     if type_id:
         return (of_one_robot if role >= 0 else of_all_robots)(type_id, flat.stocks[type_id], name)
     users = {flat.robot_type[leaf] for leaf, uses in enumerate(flat.uses) if name in uses}

@@ -2,16 +2,16 @@
 The paper's Algorithm 1 (Gupta et al., arXiv 2501.16539, section III-C), kept faithful as the baseline.
 
 From the leaves up, every node keeps its best ``rho`` ways. An XOR pools those of its children; an AND combines them child by
-child, drops each combination that uses more than the declared budgets of a type hold, and keeps ``rho`` after each child. *As
-printed* the AND forms the full product first and prunes once. Robots are reused, never used up.
+child, drops each combination that uses more than the declared budgets of a type or of the whole mission hold, and keeps ``rho``
+after each child. *As printed* the AND forms the full product first and prunes once. Robots are reused, never used up.
 
 Where the print differs from its intent, this code follows the intent: an AND with an impossible child is impossible (as printed
 it returns one empty alternative), and resources are tested per combination, not once for the whole product.
 
 Without coupling the result is exact: the best ``rho`` sums need only the best ``rho`` terms. With coupling a combination that
 was pruned early may have been the one that fits later. And Algorithm 1 knows neither which robot of a type fills which role,
-nor teams, nor links: what breaks those is dropped from its final list, so the list is sound but may be short or empty, and
-nothing is claimed of what it lacks.
+nor teams, nor links, nor how many robots may be in use, nor who must take part: what breaks those is dropped from its final list,
+so the list is sound but may be short or empty, and nothing is claimed of what it lacks.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from itertools import product
 
 from missiontree.allocation.coupling import couples
 from missiontree.allocation.feasibility import Feasibility, Verdict
-from missiontree.allocation.flat import Flat, flatten
+from missiontree.allocation.flat import Flat, Purse, flatten
 from missiontree.allocation.item import Item, choices_of
 from missiontree.allocation.possible import structurally_possible
 from missiontree.allocation.refusals import Refusals
@@ -38,7 +38,7 @@ from missiontree.mission.reason import Reason
 
 METHOD = "algorithm_1"
 
-Uses = Mapping[tuple[str, str], int]  # by robot type and name of the budget
+Uses = Mapping[Purse, int]
 
 
 class Way(Item):
@@ -78,7 +78,7 @@ class Pruned:
     as_printed: bool = False
     max_product: int = 200_000
 
-    def __call__(self, tree: GroundedTree, fleet: Fleet, weights: Weights, k: int, control: Control) -> Ranking:
+    def __call__(self, tree: GroundedTree | Flat, fleet: Fleet, weights: Weights, k: int, control: Control) -> Ranking:
         """See :class:`missiontree.allocation.allocator.Allocator`."""
         require_count(k)
         flat = flatten(tree, fleet, weights)
@@ -108,7 +108,7 @@ class _Combiner:
 
     def __init__(self, flat: Flat, rho: int, settings: Pruned, control: Control) -> None:
         self.flat, self.rho, self.settings, self.control = flat, rho, settings, control
-        self.limits: dict[tuple[str, str], int | None] = {}
+        self.limits: dict[Purse, int | None] = {}
 
     def ways_of_root(self) -> list[Way]:
         """The ways kept at the root, best first."""
@@ -126,8 +126,7 @@ class _Combiner:
         return kept[0]
 
     def _leaf(self, leaf: int) -> Way:
-        uses = {(self.flat.robot_type[leaf], name): used for name, used in self.flat.uses[leaf].items()}
-        return Way(self.flat.utility[leaf], uses)
+        return Way(self.flat.utility[leaf], dict(self.flat.charges(leaf)))
 
     def _pool(self, xor: int, below: list[list[Way]]) -> Iterator[Way]:
         for place, ways in enumerate(below):
@@ -161,7 +160,7 @@ class _Combiner:
     def _within(self, uses: Uses) -> bool:
         for purse, used in uses.items():
             if purse not in self.limits:
-                self.limits[purse] = self.flat.stocks[purse[0]].pooled(purse[1])
+                self.limits[purse] = self.flat.held(purse)
             limit = self.limits[purse]
             if limit is not None and used > limit:
                 return False

@@ -1,8 +1,9 @@
 """
 The pooled budgets that can be broken at all, in the smallest whole units.
 
-What all robots of a type together may use of a budget is a purse. One that no way through the tree can overdraw is left out, so
-a generous fleet leaves no purse; whether each single robot keeps its own limit is decided elsewhere, see :mod:`feasibility`.
+What all robots of a type together may use of a budget is a purse, and so is what all robots of the mission may use. One that no way
+through the tree can overdraw is left out, so a generous fleet leaves no purse; whether each single robot keeps its own limit is
+decided elsewhere, see :mod:`feasibility`.
 """
 
 from __future__ import annotations
@@ -13,9 +14,8 @@ from functools import cached_property
 from itertools import pairwise
 from math import gcd
 
-from missiontree.allocation.flat import Flat
+from missiontree.allocation.flat import Flat, Purse
 
-Purse = tuple[str, str]  # robot type, name of the budget
 Uses = tuple[tuple[int, int], ...]  # (index of the purse, amount), amounts above 0
 
 
@@ -27,7 +27,7 @@ class Purses:
     Parameters
     ----------
     names
-        Robot type and budget of each purse, in order.
+        Robot type (empty: all robots of the mission) and budget of each purse, in order.
     limits
         What each holds, in its own unit.
     units
@@ -62,10 +62,8 @@ class Purses:
         return sum(((1 << (end - begin - 1)) - 1 - limit) << begin for (begin, end), limit in pairs)
 
     def of_leaf(self, flat: Flat, leaf: int) -> Uses:
-        """What the leaf takes from which purse."""
-        found = (
-            (self._index.get((flat.robot_type[leaf], name), -1), amount) for name, amount in flat.uses[leaf].items()
-        )
+        """What the leaf takes from which purse: its type's, the mission's, or both."""
+        found = ((self._index.get(purse, -1), amount) for purse, amount in flat.charges(leaf))
         return tuple((index, amount // self.units[index]) for index, amount in found if index >= 0)
 
     def packed(self, uses: Uses) -> int:
@@ -80,13 +78,13 @@ class Purses:
 def purses_of(flat: Flat, possible: Sequence[bool]) -> Purses:
     """The purses that some way through the possible nodes overdraws, or might."""
     most = _most(flat, possible)
-    limits = {(type_id, name): flat.stocks[type_id].pooled(name) for type_id, name in most}
+    limits = {purse: flat.held(purse) for purse in most}
     binding = {purse: limit for purse, limit in sorted(limits.items()) if limit is not None and most[purse] > limit}
     units = dict.fromkeys(binding, 0)
     for node, uses in enumerate(flat.uses):
         if possible[node]:
-            for name, amount in uses.items():
-                if (purse := (flat.robot_type[node], name)) in units:
+            for purse, amount in flat.charges(node) if uses else ():
+                if purse in units:
                     units[purse] = gcd(units[purse], amount)
     return Purses(
         names=tuple(binding),
@@ -104,7 +102,7 @@ def _most(flat: Flat, possible: Sequence[bool]) -> Mapping[Purse, int]:
         below = [most.pop(child) for child in flat.children[node] if child in most]
         if not possible[node]:
             continue
-        use = {(flat.robot_type[node], name): amount for name, amount in flat.uses[node].items()}
+        use = dict(flat.charges(node)) if flat.uses[node] else {}
         if below:
             use = max(below, key=len)  # the smaller go into the larger, so that deep trees stay cheap
         for part in below:

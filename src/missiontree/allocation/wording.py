@@ -1,11 +1,12 @@
-"""Whose budget it is, and what would help: said for a type's total, one robot, all robots of a type, and several types."""
+"""Whose budget it is, and what would help: said for a type's total, one robot, all robots of a type, several types, and the mission."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from missiontree.allocation.flat import Stock
+from missiontree.allocation.flat import Shared, Stock
+from missiontree.mission.reason import Reason, Severity
 
 ANOTHER_WAY = "give the task another way of being done"
 
@@ -43,6 +44,29 @@ def of_types(type_ids: Sequence[str], name: str) -> Holder:
     *most, last = (f"type {type_ids[0]}",) if len(type_ids) == 1 else type_ids
     listed = f"types {', '.join(most)} and {last} together" if most else last
     return Holder(listed, f"Raise {name} of one of them, or {ANOTHER_WAY}.")
+
+
+def of_the_mission(name: str, shared: Shared) -> Holder:
+    """For what all robots of the mission use together."""
+    if shared.source == "scene":
+        remedy = f"Raise {name} in the stock of the scene, or {ANOTHER_WAY}; a further robot would not help."
+        return Holder("the whole mission", remedy)
+    remedy = f"Raise {name} in the total_limits of the fleet, or {ANOTHER_WAY}; a further robot would not help."
+    return Holder("all robots of the mission together", remedy)
+
+
+def type_idle(type_id: str, named: Sequence[str], severity: Severity = "error") -> Reason:
+    """That a type which must take part fills no role; ``named``: the type, or robots of it, as the operator requires them."""
+    names = " and ".join(f"type {name}" if name == type_id else name for name in named)
+    return Reason(
+        rule="required_idle",
+        severity=severity,
+        message=f"The mission requires {names}, and no robot of type {type_id} fills a role.",
+        robot=type_id,
+        found="no role",
+        needed="at least one role",
+        hint=f"Take {' and '.join(named)} off 'require' of the mission, or ask for something that type {type_id} can do.",
+    )
 
 
 def _of_total(type_id: str, name: str) -> Holder:

@@ -63,7 +63,9 @@ def read_routine_call(name: str, given: Any, what: str, cast: Cast) -> RoutineCa
     _check_different(routine, entities)
     if brief.check_kinds:
         _check_kinds(routine, entities, cast)
-    offers = offers_for(routine, entities, brief.fleet, cast.scene, brief.routines, resources, brief.check_kinds)
+    offers = offers_for(
+        routine, entities, brief.fleet, cast.scene, brief.routines, resources, brief.check_kinds, brief.terms
+    )
     call = RoutineCall(routine, entities, resources, offers)
     if not offers.able:
         raise _nobody(call)
@@ -98,7 +100,9 @@ def able_types(brief: MissionBrief) -> dict[str, Offers]:
     for routine in brief.routines.routines:
         anybody = {argument.name: Entity(id=argument.name) for argument in routine.arguments}
         scene = Scene(entities=tuple(anybody.values()))
-        made[routine.id] = offers_for(routine, anybody, brief.fleet, scene, brief.routines, check_kinds=False)
+        made[routine.id] = offers_for(
+            routine, anybody, brief.fleet, scene, brief.routines, check_kinds=False, terms=brief.terms
+        )
     return made
 
 

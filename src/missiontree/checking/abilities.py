@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 
 from missiontree.checking.case import Case
@@ -90,6 +90,42 @@ def kind_refused(case: Case) -> Iterator[Fault]:
 def need_unmet(case: Case) -> Iterator[Fault]:
     """A robot type fails a condition of its role: a capability, its quality, or a limit compared with the entity."""
     yield from _unmet(case, _need_problem)
+
+
+def quality_below_minimum(case: Case) -> Iterator[Fault]:
+    """An action has less quality than the mission asks of every action, of its capability, or of its routine."""
+    least = case.plan.brief.min_quality
+    if isinstance(least, float | int):
+        for leaf, action in _actions(case):
+            if action.estimate.quality < least:
+                yield _too_poor(case, leaf, action, least)
+    else:
+        yield from _below_named(case, least)
+
+
+def _below_named(case: Case, least: Mapping[str, float]) -> Iterator[Fault]:
+    by_capability = {leaf: least.get(action.capability, 0.0) for leaf, action in _actions(case)}
+    for part in _parts(case):
+        # Of several ways to read a part, that which asks least: the others are not said to be taken.
+        for place, leaf in enumerate(part.leaves):
+            asked = [_asked(least, part, reading, place) for reading in part.readings]
+            by_capability[leaf] = max(by_capability[leaf], min(asked, default=0.0))
+    for leaf, action in _actions(case):
+        if action.estimate.quality < by_capability[leaf]:
+            yield _too_poor(case, leaf, action, by_capability[leaf])
+
+
+def _asked(least: Mapping[str, float], part: Part, reading: tuple[Stretch, ...], place: int) -> float:
+    """Quality asked of the action at a place of a part, by the routines that it stands in."""
+    within = [stretch.within for stretch in reading for _ in stretch.role.actions][place]
+    return max((least.get(name, 0.0) for name in within), default=0.0)
+
+
+def _too_poor(case: Case, leaf: int, action: Action, least: float) -> Fault:
+    found = f"{action.estimate.quality:g}"
+    return _about(
+        case, leaf, f"is of quality {found}; the mission asks for at least {least:g}", found, f"at least {least:g}"
+    )
 
 
 def zone_forbidden(case: Case) -> Iterator[Fault]:

@@ -1,9 +1,9 @@
-"""Does every robot, and every robot type, keep within its budgets by what is truly used?"""
+"""Does every robot, every robot type, and the mission keep within its budgets by what is truly used?"""
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from missiontree.checking.case import Case
 from missiontree.checking.fault import Fault
@@ -40,6 +40,30 @@ def total_budget_exceeded(case: Case) -> Iterator[Fault]:
                     f"schedule {timetable.schedule.rank}: the robots of type {type_id} use {used:g} of {name} and have {left:g}.",
                     robot=type_id,
                     found=f"{name} {used:g}",
+                    needed=f"{name} at most {left:g}",
+                )
+
+
+def mission_budget_exceeded(case: Case) -> Iterator[Fault]:
+    """All robots together use more of a budget than the fleet may for the whole mission."""
+    yield from _beyond_shared(case, case.fleet.total_limits, "all robots of the fleet")
+
+
+def stock_exceeded(case: Case) -> Iterator[Fault]:
+    """All robots together take more of something than the scene has in stock."""
+    yield from _beyond_shared(case, case.scene.stock, "all robots, from the stock of the scene,")
+
+
+def _beyond_shared(case: Case, limits: Mapping[str, float], who: str) -> Iterator[Fault]:
+    for timetable in case.timetables if limits else ():
+        used: dict[str, float] = defaultdict(float)
+        for (_, name), amount in used_by_robot(case, timetable).items():
+            used[name] += amount
+        for name, left in sorted(limits.items()):
+            if beyond(used[name], left):
+                yield Fault(
+                    f"schedule {timetable.schedule.rank}: {who} use {used[name]:g} of {name} and may use {left:g}.",
+                    found=f"{name} {used[name]:g}",
                     needed=f"{name} at most {left:g}",
                 )
 

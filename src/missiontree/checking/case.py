@@ -13,7 +13,7 @@ from missiontree.errors import InputError
 from missiontree.formats.digest import digest
 from missiontree.llm.recording import Recording, read_recording
 from missiontree.mission.entity import Entity
-from missiontree.mission.fleet import Fleet
+from missiontree.mission.fleet import Fleet, Robot
 from missiontree.mission.grounded import GroundedTree, Grounding
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
@@ -41,6 +41,25 @@ class Case:
     def fleet(self) -> Fleet:
         """The team."""
         return self.plan.brief.fleet
+
+    @cached_property
+    def left_out(self) -> frozenset[str]:
+        """Robots that take no part: those that the mission leaves out by name, and all of the types that it leaves out."""
+        out, fleet = self.plan.brief.without, self.fleet
+        return frozenset(
+            robot
+            for robot, kind in (fleet.type_of.items() if out else ())
+            if kind.id in out or (robot in out and robot not in fleet.by_id)
+        )
+
+    def at_hand(self, type_id: str) -> tuple[Robot, ...]:
+        """Robots of a type that are not left out."""
+        return tuple(robot for robot in self.fleet.by_id[type_id].members if robot.id not in self.left_out)
+
+    def most_in_use(self, type_id: str) -> int:
+        """How many different robots of a type may take part."""
+        most, there = self.fleet.by_id[type_id].max_in_use, len(self.at_hand(type_id))
+        return there if most is None else min(most, there)
 
     @property
     def mission_tree(self) -> MissionTree | None:

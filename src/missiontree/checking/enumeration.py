@@ -53,7 +53,7 @@ def best_first(case: Case) -> Iterator[Staffing | None]:
     staffings.sort(key=lambda staffing: (-utility_of(staffing, weights), choice_key(staffing)))
     for staffing in staffings:
         known = all(type_id in case.fleet.by_id for type_id in staffing.type_of_role.values())
-        fits = can_be_staffed(staffing, case.fleet) if known else None
+        fits = can_be_staffed(staffing, case) if known else None
         if fits is not False:
             yield staffing if fits else None
 

@@ -46,7 +46,9 @@ class Haunts:
     def of_type(self, type_id: str) -> frozenset[Spot]:
         """Where robots of a type may be when they set out for a role; None among them where that may be unknown."""
         kind = self._case.fleet.by_id.get(type_id)
-        starts = {start_spot(self._case, robot) for robot in kind.members} if kind is not None else {None}
+        starts = (
+            {start_spot(self._case, robot) for robot in self._case.at_hand(kind.id)} if kind is not None else {None}
+        )
         visited = (
             self.of_leaf(leaf)
             for leaf, action in self._actions.items()
@@ -56,7 +58,7 @@ class Haunts:
 
     def starts(self, type_id: str) -> frozenset[Spot]:
         """Where robots of a type start."""
-        return frozenset(start_spot(self._case, robot) for robot in self._case.fleet.by_id[type_id].members)
+        return frozenset(start_spot(self._case, robot) for robot in self._case.at_hand(type_id))
 
     def _surely_before(self, first: int, second: int) -> bool:
         """Whether order puts one action before another, or before or after one that is joint with it."""

@@ -193,7 +193,7 @@ class _Bound:
             pieces.setdefault(self._staffing.type_of_role[role], []).append(piece)
         least = 0
         for type_id, own in pieces.items():
-            robots = len(self._case.fleet.by_id[type_id].members)
+            robots = max(1, self._case.most_in_use(type_id))
             for head in {start for start, _, _ in own[:MOST_WAYS]}:
                 work = 0
                 for _, length, tail in sorted((one for one in own if one[0] >= head), key=lambda one: -one[2]):

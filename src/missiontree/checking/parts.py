@@ -18,12 +18,17 @@ Names = Mapping[str, str]
 
 
 class Stretch(NamedTuple):
-    """A role of a branch as one part of what a robot does, with the entities of the branch's arguments."""
+    """
+    A role of a branch as one part of what a robot does, with the entities of the branch's arguments.
+
+    ``within`` names the routines around it, the called one first and its own last.
+    """
 
     routine: Routine
     branch: Branch
     role: RoleSpec
     entities: Names
+    within: tuple[str, ...] = ()
 
     def place(self, argument: str | None) -> str | None:
         """Entity that an argument stands for."""
@@ -31,16 +36,20 @@ class Stretch(NamedTuple):
 
 
 class Slot(NamedTuple):
-    """A plain routine whose branches offer stretches, with the entities of its arguments."""
+    """A plain routine whose branches offer stretches, with the entities of its arguments, and the routines around it."""
 
     routine: Routine
     entities: Names
+    within: tuple[str, ...] = ()
 
 
-def chains(routine: Routine, entities: Names, library: RoutineLibrary) -> list[list[Slot]]:
+def chains(
+    routine: Routine, entities: Names, library: RoutineLibrary, around: tuple[str, ...] = ()
+) -> list[list[Slot]]:
     """What robots may be asked to do in a routine call: for each robot's part, the plain routines it passes through."""
+    within = (*around, routine.id)
     if not routine.parts:
-        return [[Slot(routine, entities)]]
+        return [[Slot(routine, entities, within)]]
     found: list[list[Slot]] = []
     held: list[Slot] = []
     for index, part in enumerate(routine.parts):
@@ -50,7 +59,7 @@ def chains(routine: Routine, entities: Names, library: RoutineLibrary) -> list[l
             for argument in inner.arguments
             if (outer := part.arguments.get(argument.name, argument.name)) in entities
         }
-        below = chains(inner, own, library)
+        below = chains(inner, own, library, within)
         if index in routine.same_robot:
             held += [slot for chain in below for slot in chain]
         else:
@@ -63,7 +72,7 @@ def readings(chain: Sequence[Slot], actions: Sequence[Action]) -> list[list[Stre
     partial: list[tuple[int, list[Stretch]]] = [(0, [])]
     for slot in chain:
         partial = [
-            (place + len(role.actions), [*stretches, Stretch(slot.routine, branch, role, slot.entities)])
+            (place + len(role.actions), [*stretches, Stretch(slot.routine, branch, role, slot.entities, slot.within)])
             for place, stretches in partial
             for branch in slot.routine.branches
             for role in branch.roles

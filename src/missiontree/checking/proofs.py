@@ -81,7 +81,7 @@ def _sharing(case: Case, timetable: Timetable) -> Iterator[list[int]]:
     roles: dict[str, list[int]] = {}
     for role, type_id in timetable.staffing.type_of_role.items():
         roles.setdefault(type_id, []).append(role)
-    return (own for type_id, own in roles.items() if len(case.fleet.by_id[type_id].members) == 1)
+    return (own for type_id, own in roles.items() if case.most_in_use(type_id) <= 1)
 
 
 def _wholly_ordered(timetable: Timetable, roles: list[int]) -> bool:

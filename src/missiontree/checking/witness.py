@@ -26,14 +26,14 @@ def witness_incomplete(case: Case) -> Iterator[Fault]:
 
 
 def witness_broken(case: Case) -> Iterator[Fault]:
-    """The robots of a witness are of the wrong type, share a team, break a link, or exceed a budget."""
+    """The robots of a witness are of the wrong type, share a team, break a link, exceed a budget, or break a term of the mission."""
     for staffing in case.staffings:
         robots = {
             entry.role: entry.robot
             for entry in staffing.alternative.witness
             if entry.role in staffing.leaves_of_role and entry.robot in case.fleet.robots
         }
-        problem = conflict(staffing, case.fleet, robots) if _types_known(case, staffing) else None
+        problem = conflict(staffing, case, robots) if _types_known(case, staffing) else None
         if problem is not None:
             why, role, robot = problem
             yield Fault(
@@ -41,7 +41,7 @@ def witness_broken(case: Case) -> Iterator[Fault]:
                 node=role_named(staffing.tree, role),
                 robot=robot,
                 found=why,
-                needed="type, team, links and budgets kept",
+                needed="type, team, links, budgets and terms of the mission kept",
             )
 
 
@@ -51,10 +51,10 @@ def alternative_unstaffable(case: Case) -> Iterator[Fault]:
         if (
             not staffing.alternative.witness
             and _types_known(case, staffing)
-            and can_be_staffed(staffing, case.fleet) is False
+            and can_be_staffed(staffing, case) is False
         ):
             yield Fault(
-                f"alternative {staffing.alternative.rank} has no witness, and no choice of robots keeps teams, links and budgets.",
+                f"alternative {staffing.alternative.rank} has no witness, and no choice of robots keeps teams, links, budgets and terms.",
                 found="no robots fit",
                 needed="a robot for every role",
             )

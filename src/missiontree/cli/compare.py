@@ -54,6 +54,7 @@ def command(
     from rich.text import Text
 
     from missiontree.allocation import ALLOCATORS
+    from missiontree.allocation.flat import flatten
     from missiontree.formats.document import to_plain
     from missiontree.reporting.text import reason_line, said_once
     from missiontree.routines.ground import ground
@@ -83,12 +84,13 @@ def command(
             for reason in said_once(authored.reasons):
                 show(reason_line(reason), colour)
         return OUTCOMES[outcome]
-    tree, brief = ground(authored.tree, request.brief).tree, request.brief
+    brief = request.brief
+    flat = flatten(ground(authored.tree, brief).tree, brief.fleet, brief.weights, brief.terms)
     runs = []
     for name, allocate in ALLOCATORS.items():
         started = time.perf_counter()
         with controlled(DEFAULT_LIMIT_S if time_limit is None else time_limit, request.seed) as control:
-            ranking = allocate(tree, brief.fleet, brief.weights, request.k, control)
+            ranking = allocate(flat, brief.fleet, brief.weights, request.k, control)
         runs.append(Run(name, ranking, time.perf_counter() - started))
     if as_json:
         typer.echo(json.dumps([_plain(run, runs, request.k) for run in runs], indent=2))

@@ -19,5 +19,7 @@ def _able(node: MissionNode, tree: MissionTree, brief: MissionBrief) -> frozense
     known = {name: world.by_id[entity] for name, entity in node.arguments.items() if entity in world.by_id}
     if routine is None or set(known) != set(routine.argument_kinds):
         return allowed
-    offers = offers_for(routine, known, brief.fleet, world, brief.routines, node.resources, brief.check_kinds)
+    offers = offers_for(
+        routine, known, brief.fleet, world, brief.routines, node.resources, brief.check_kinds, brief.terms
+    )
     return frozenset(offers.able_types) or allowed

@@ -10,7 +10,7 @@ from missiontree.mission.tree import MissionTree
 
 
 def inputs_of(brief: MissionBrief, tree: MissionTree | None) -> dict[str, Any]:
-    """Every input by name: mission (its words), fleet, scene, routines, entities, weights, kinds (enforced or not), goals, tree."""
+    """Every input by name: mission (its words), fleet, scene, routines, entities, weights, kinds (enforced or not), goals, terms, tree."""
     inputs = {
         "mission": brief.text,
         "fleet": brief.fleet,
@@ -20,6 +20,9 @@ def inputs_of(brief: MissionBrief, tree: MissionTree | None) -> dict[str, Any]:
         "weights": brief.weights,
         "kinds": brief.check_kinds,
         "goals": brief.goals or None,
+        "without": brief.without or None,
+        "require": brief.require or None,
+        "min_quality": brief.min_quality or None,
         "tree": tree,
     }
     return {name: value for name, value in inputs.items() if value is not None}

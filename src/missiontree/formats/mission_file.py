@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
 from missiontree.mission.goal import Goal, check_goals
-from missiontree.mission.value import Count, Id, Value, require_unique
+from missiontree.mission.terms import checked_quality
+from missiontree.mission.value import Count, Id, NonNegative, Value, require_unique
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,6 +47,14 @@ class MissionFile(Value):
         Method of allocation, default ``exact``.
     seed
         Seed of everything random, default 0.
+    without
+        Robot types and robots that take no part. A name that both a type and a robot have means the type.
+    require
+        Robot types and robots that must take part: in every alternative each of them fills at least one role.
+    min_quality
+        Quality that every action must have at least: one number for all (``0.5``), or a number by routine or capability
+        (``{Search: 0.8, carry: 0.5}``), of which the highest that applies counts. At least 0, default 0. Who would do worse is not
+        offered.
     """
 
     mission: str = ""
@@ -61,11 +71,15 @@ class MissionFile(Value):
     model: str = ""
     allocator: Id = "exact"
     seed: int = 0
+    without: tuple[Id, ...] = ()
+    require: tuple[Id, ...] = ()
+    min_quality: NonNegative | Mapping[Id, NonNegative] = 0.0
 
     def _check(self) -> None:
         if not self.mission.strip() and not self.goals and self.tree is None:
             raise ValueError("a mission file needs a mission in words, goals, or the path of a tree.")
         if self.goals and self.tree is not None:
             raise ValueError("a mission file has either goals or the path of a tree.")
+        object.__setattr__(self, "min_quality", checked_quality(self.min_quality))
         check_goals(self.goals)
         require_unique("entity", tuple(entity.id for entity in self.entities))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -11,7 +12,8 @@ from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.goal import Goal, all_goals, check_goals
 from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.scene import Scene
-from missiontree.mission.value import Value
+from missiontree.mission.terms import Terms, check_terms, checked_quality
+from missiontree.mission.value import Id, NonNegative, Value
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,11 +39,19 @@ class MissionBrief(Value):
         Whether kinds of arguments are enforced. Default true; false reproduces the paper's examples.
     goals
         What is to be achieved, if it is stated formally instead of in words.
+    without
+        Robot types and robots that take no part. A name that both a type and a robot have means the type.
+    require
+        Robot types and robots that must take part: in every alternative each of them fills at least one role.
+    min_quality
+        Quality that every action must have at least: one number for all (``0.5``), or a number by routine or capability
+        (``{Search: 0.8, carry: 0.5}``), of which the highest that applies counts. At least 0, default 0. Who would do worse is not
+        offered.
 
     Raises
     ------
     ValueError
-        If fleet, scene, goals and entities refer to each other in vain.
+        If fleet, scene, goals, entities and terms refer to each other in vain, or terms contradict each other.
     """
 
     text: str
@@ -52,6 +62,9 @@ class MissionBrief(Value):
     weights: Weights = Weights()
     check_kinds: bool = True
     goals: tuple[Goal, ...] = ()
+    without: tuple[Id, ...] = ()
+    require: tuple[Id, ...] = ()
+    min_quality: NonNegative | Mapping[Id, NonNegative] = 0.0
 
     def _check(self) -> None:
         world = self.world
@@ -70,6 +83,7 @@ class MissionBrief(Value):
                         f"robot type {robot_type.id!r} may enter zone {zone!r}, which the scene does not have."
                     )
         self._check_type_names(world)
+        self._check_terms()
 
     def _check_type_names(self, world: Scene) -> None:
         roads = world.roads
@@ -81,6 +95,22 @@ class MissionBrief(Value):
             for name in types or ():
                 if name not in self.fleet.by_id:
                     raise ValueError(f"{what} names robot type {name!r}, which the fleet does not have.")
+
+    def _check_terms(self) -> None:
+        object.__setattr__(self, "min_quality", checked_quality(self.min_quality))
+        ratings = {role.rating for one in self.routines.routines for way in one.branches for role in way.roles}
+        ratings |= {ability for kind in self.fleet.types for ability in kind.capabilities}
+        check_terms(self.terms, self.fleet, tuple(self.routines.by_id), tuple(sorted(ratings)))
+
+    @cached_property
+    def terms(self) -> Terms:
+        """What is asked of the mission as a whole."""
+        return Terms(without=self.without, require=self.require, min_quality=self.min_quality, stock=self.world.stock)
+
+    @cached_property
+    def team(self) -> Fleet:
+        """The fleet without what the mission leaves out."""
+        return self.terms.team_of(self.fleet)
 
     @cached_property
     def world(self) -> Scene:

@@ -128,6 +128,8 @@ class RobotType(Value):
         Where the interchangeable robots start; None if unknown.
     robots
         Named robots.
+    max_in_use
+        How many different robots of the type may take part in one alternative, at least 1; None (default) means all.
     """
 
     id: Id
@@ -141,6 +143,7 @@ class RobotType(Value):
     position: Position | None = None
     place: Id | None = None
     robots: tuple[Robot, ...] = ()
+    max_in_use: Count | None = None
 
     def _check(self) -> None:
         if not self.label:
@@ -175,6 +178,11 @@ class RobotType(Value):
             for number in range(1, (self.count or 0) + 1)
         )
 
+    @property
+    def usable(self) -> int:
+        """How many robots of the type may take part in one alternative."""
+        return len(self.members) if self.max_in_use is None else min(self.max_in_use, len(self.members))
+
     def budget(self, robot: Robot, name: str) -> float | None:
         """What the robot may use of a budget; None if it has no such limit."""
         return robot.remaining.get(name, self.limits.get(name))
@@ -191,10 +199,14 @@ class Fleet(Value):
         Robot types, at least one, in the order in which they are offered. At most 100,000 robots in all.
     label
         Name shown to people.
+    total_limits
+        What all robots of a mission together may use of a budget, whatever their type: ``{energy_j: 9000}``; at least 0. Default:
+        no such limit.
     """
 
     types: tuple[RobotType, ...]
     label: str = ""
+    total_limits: Mapping[Id, NonNegative] = field(default_factory=dict)
 
     def _check(self) -> None:
         if not self.types:

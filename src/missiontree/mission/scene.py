@@ -11,7 +11,7 @@ from typing import Literal
 from missiontree.mission.area import KeepOut, Zone
 from missiontree.mission.entity import Entity
 from missiontree.mission.position import Position
-from missiontree.mission.value import Id, Value, require_unique
+from missiontree.mission.value import Id, NonNegative, Value, require_unique
 from missiontree.mission.ways import OccupancyGrid, RoadGraph
 
 BASE_KINDS = ("person", "animal", "object", "place")
@@ -72,6 +72,9 @@ class Scene(Value):
         Road graph. At most one of ``roads`` and ``grid``; with neither, robots go straight, round the keep-outs.
     grid
         Occupancy grid.
+    stock
+        What the actions of a whole mission may take, whoever takes it: ``{medkits: 4}``, in the unit in which actions use it
+        (``uses: {medkits: 1}``); at least 0. It is not refilled. Default: no such limit.
     """
 
     label: str = ""
@@ -83,6 +86,7 @@ class Scene(Value):
     entities: tuple[Entity, ...] = ()
     roads: RoadGraph | None = None
     grid: OccupancyGrid | None = None
+    stock: Mapping[Id, NonNegative] = field(default_factory=dict)
 
     def _check(self) -> None:
         places = tuple(replace(place, kind="place") if place.kind == "object" else place for place in self.places)

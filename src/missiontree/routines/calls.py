@@ -145,6 +145,7 @@ def _offered(node: MissionNode, brief: MissionBrief, world: Scene) -> tuple[Mapp
         brief.routines,
         resources=node.resources,
         check_kinds=brief.check_kinds,
+        terms=brief.terms,
     )
     return entities, offers, _touch(entities, [offer.branch for offer in offers.branches])
 
@@ -188,7 +189,7 @@ def _routed(
             ways.append(Way(offer, travels))
         elif not all(types):
             refused += _lost(offer, types)
-        elif (reason := shortage(offer.branch, types, brief.fleet, offer.task)) is not None:
+        elif (reason := shortage(offer.branch, types, brief.team, offer.task)) is not None:
             refused.append(reason)
         else:
             ways.append(Way(replace(offer, types=types), travels))
@@ -208,7 +209,7 @@ def _travels(
     for index, role in enumerate(offer.branch.roles):
         uncertain = elsewhere | _moved_by_others(offer.branch, role, entities)
         for type_id in offer.types[index]:
-            robot_type = brief.fleet.by_id[type_id]
+            robot_type = brief.team.by_id[type_id]
             travel = itineraries.walk(role, robot_type, entities, uncertain)
             if isinstance(travel, Reason):
                 stuck.append(unreachable(travel, robot_type, offer.task))

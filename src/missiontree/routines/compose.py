@@ -35,12 +35,15 @@ class FlatAction:
         Label of joint work, told apart by part; None if it is not joint.
     fields
         Argument of the flattened routine by field of the text.
+    parts
+        Routines inside the flattened one that the action comes from, the innermost first.
     """
 
     step: ActionStep
     rating: str
     sync: str | None
     fields: Mapping[str, str]
+    parts: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +159,7 @@ def _composed(
     for index, part in enumerate(routine.parts):
         inner = library.by_id[part.routine]
         names = {argument.name: part.arguments.get(argument.name, argument.name) for argument in inner.arguments}
-        offered.append([_renamed(branch, names, index) for branch in flat[inner.id]])
+        offered.append([_renamed(branch, names, index, inner.id) for branch in flat[inner.id]])
     count = math.prod(map(len, offered))
     if count > MAX_BRANCHES:
         raise InputError(
@@ -169,7 +172,7 @@ def _composed(
     return tuple(_joined(routine, combination, offered, own) for combination in product(*offered))
 
 
-def _renamed(branch: FlatBranch, names: Mapping[str, str], part: int) -> FlatBranch:
+def _renamed(branch: FlatBranch, names: Mapping[str, str], part: int, inner: str) -> FlatBranch:
     """The branch in the arguments of the routine around it, its sync labels and teams told apart by part."""
     return FlatBranch(
         name=branch.name,
@@ -177,7 +180,7 @@ def _renamed(branch: FlatBranch, names: Mapping[str, str], part: int) -> FlatBra
         roles=tuple(
             replace(
                 role,
-                actions=tuple(_renamed_action(action, names, part) for action in role.actions),
+                actions=tuple(_renamed_action(action, names, part, inner) for action in role.actions),
                 needs=tuple(_renamed_need(need, names) for need in role.needs),
             )
             for role in branch.roles
@@ -186,7 +189,7 @@ def _renamed(branch: FlatBranch, names: Mapping[str, str], part: int) -> FlatBra
     )
 
 
-def _renamed_action(action: FlatAction, names: Mapping[str, str], part: int) -> FlatAction:
+def _renamed_action(action: FlatAction, names: Mapping[str, str], part: int, inner: str) -> FlatAction:
     step = action.step
 
     def outer(name: str | None) -> str | None:
@@ -203,6 +206,7 @@ def _renamed_action(action: FlatAction, names: Mapping[str, str], part: int) -> 
         rating=action.rating,
         sync=None if action.sync is None else f"{part}.{action.sync}",
         fields=FrozenMap({field: names[name] for field, name in action.fields.items()}),
+        parts=(*action.parts, inner),
     )
 
 

@@ -10,6 +10,7 @@ from missiontree.mission.fleet import RobotType
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Need
 from missiontree.mission.scene import Scene
+from missiontree.mission.terms import Terms
 from missiontree.routines.compose import FlatBranch, FlatRole
 from missiontree.routines.zones import zones_of
 
@@ -53,6 +54,27 @@ def judge(role: FlatRole, robot_type: RobotType, entities: Mapping[str, Entity],
     return Verdict(
         refused=tuple(reason for reason in found if reason.severity == "error"),
         assumed=tuple(reason for reason in found if reason.severity == "assumption"),
+    )
+
+
+def quality_refused(role: FlatRole, robot_type: RobotType, terms: Terms, routine: str, task: str) -> Reason | None:
+    """Why a type that can fill a role does not do so well enough for the mission; None if it does. The worst is told."""
+    worst: tuple[float, str, float, float] | None = None
+    for action in role.actions:
+        has, least = robot_type.capability(action.rating), terms.least_quality(action.rating, (*action.parts, routine))
+        if has is not None and has.quality < least:
+            worst = min(worst or (0.0, "", 0.0, 0.0), (has.quality - least, action.rating, has.quality, least))
+    if worst is None:
+        return None
+    _, capability, found, needed = worst
+    return Reason(
+        rule="quality_below_minimum",
+        message=f"{robot_type.label} is not good enough for {task}: quality of {capability} {found:g}, and the mission asks for "
+        f"at least {needed:g}.",
+        robot=robot_type.id,
+        found=f"{capability} {found:g}",
+        needed=f"{capability} {needed:g}",
+        hint="Lower min_quality of the mission, or take a robot that does it better.",
     )
 
 

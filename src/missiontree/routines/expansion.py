@@ -113,7 +113,7 @@ class Expansion:
                 hint="Name fewer robot types as its resources.",
             )
         for types_taken in combinations_with_replacement(types, role.robots):
-            if all(count <= len(self.fleet.by_id[name].members) for name, count in Counter(types_taken).items()):
+            if all(count <= self.fleet.by_id[name].usable for name, count in Counter(types_taken).items()):
                 yield types_taken
 
     def _add_actions(

@@ -77,7 +77,7 @@ def _world(tree: MissionTree, brief: MissionBrief) -> Scene:
 def _grounded(
     tree: MissionTree, brief: MissionBrief, calls: Mapping[str, Call], links: tuple[Link, ...], estimator: Estimator
 ) -> GroundedTree:
-    expansion = Expansion(brief.fleet, estimator)
+    expansion = Expansion(brief.team, estimator)
     index: dict[str, int] = {}
     for node in tree.nodes:
         parent = index[tree.parent[node.id]] if node.id in tree.parent else -1

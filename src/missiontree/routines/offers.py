@@ -10,9 +10,10 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Routine, RoutineLibrary
 from missiontree.mission.scene import Scene
+from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.routines.arguments import check_arguments, check_resources
 from missiontree.routines.compose import FlatBranch, flatten
-from missiontree.routines.conditions import judge, kind_refused
+from missiontree.routines.conditions import judge, kind_refused, quality_refused
 from missiontree.routines.staffing import shortage
 
 
@@ -75,6 +76,7 @@ def offers_for(
     library: RoutineLibrary,
     resources: tuple[str, ...] | None = None,
     check_kinds: bool = True,
+    terms: Terms = NO_TERMS,
 ) -> Offers:
     """
     What a call of a routine has on offer.
@@ -93,6 +95,8 @@ def offers_for(
         Types allowed; None (default) means all.
     check_kinds
         Whether kinds of arguments are enforced. Default true.
+    terms
+        Who is left out of the mission, and how good every action must be. Default: nobody, and anything goes.
 
     Raises
     ------
@@ -104,7 +108,8 @@ def offers_for(
     call = f"{routine.id}({', '.join(entities[argument.name].label for argument in routine.arguments)})"
     flat = flatten(routine, library)
     offered: list[BranchOffer] = []
-    refused: list[Reason] = _excluded(call, fleet, resources)
+    team = terms.team_of(fleet)
+    refused: list[Reason] = [*_left_out(call, fleet, team), *_excluded(call, team, resources)]
     assumed: list[Reason] = []
     for branch in flat:
         task = f"{call} by {branch.name}" if len(flat) > 1 else call
@@ -112,9 +117,11 @@ def offers_for(
         if reason is not None:
             refused.append(reason)
             continue
-        types, unfit, taken = _able_types(branch, entities, fleet, scene, task, resources)
+        types, unfit, taken = _able_types(branch, entities, team, scene, task, resources)
+        types, bad = _good_types(branch, types, team, terms, routine.id, task)
+        unfit += bad
         refused += unfit
-        if all(types) and (reason := shortage(branch, types, fleet, task)) is not None:
+        if all(types) and (reason := shortage(branch, types, team, task)) is not None:
             refused.append(reason)
         elif all(types):
             offered.append(BranchOffer(branch, task, types))
@@ -122,6 +129,37 @@ def offers_for(
         else:
             refused += _unfilled(branch, types, task)
     return Offers(tuple(offered), tuple(dict.fromkeys(refused)), tuple(dict.fromkeys(assumed)))
+
+
+def _left_out(call: str, fleet: Fleet, team: Fleet) -> list[Reason]:
+    return [
+        Reason(
+            rule="left_out",
+            message=f"{robot_type.label} does not do {call}: the mission leaves it out.",
+            robot=robot_type.id,
+            found=robot_type.id,
+            needed=", ".join(team.by_id),
+            hint="Take it off 'without' of the mission.",
+        )
+        for robot_type in fleet.types
+        if robot_type.id not in team.by_id
+    ]
+
+
+def _good_types(
+    branch: FlatBranch, types: tuple[tuple[str, ...], ...], team: Fleet, terms: Terms, routine: str, task: str
+) -> tuple[tuple[tuple[str, ...], ...], list[Reason]]:
+    """Of the types able to fill each role, those that do so well enough for the mission; then why others do not."""
+    if not terms.min_quality:
+        return types, []
+    good: list[tuple[str, ...]] = []
+    refused: list[Reason] = []
+    for role, able in zip(branch.roles, types, strict=True):
+        part = task if len(branch.roles) == 1 else f"{role.name} of {task}"
+        found = {name: quality_refused(role, team.by_id[name], terms, routine, part) for name in able}
+        good.append(tuple(name for name, reason in found.items() if reason is None))
+        refused += [reason for reason in found.values() if reason is not None]
+    return tuple(good), refused
 
 
 def _excluded(call: str, fleet: Fleet, resources: tuple[str, ...] | None) -> list[Reason]:

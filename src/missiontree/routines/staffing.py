@@ -44,7 +44,7 @@ def _fill(slot: int, types: Sequence[Sequence[str]], fleet: Fleet, filled: dict[
     queue = list(came_from)
     for name in queue:  # grows while it is walked: breadth first
         held = filled.setdefault(name, [])
-        if len(held) < len(fleet.by_id[name].members):
+        if len(held) < fleet.by_id[name].usable:
             _shift(name, came_from, filled)
             return None
         for role in dict.fromkeys(held):
@@ -66,7 +66,7 @@ def _shift(name: str, came_from: dict[str, tuple[int, str | None]], filled: dict
 
 
 def _too_few(stuck: Sequence[str], needed: int, fleet: Fleet, task: str) -> Reason:
-    counts = [f"{fleet.by_id[name].label} {len(fleet.by_id[name].members)}" for name in stuck]
+    counts = [f"{fleet.by_id[name].label} {fleet.by_id[name].usable}" for name in stuck]
     return Reason(
         rule="too_few_robots",
         message=f"{task} needs {needed} different robots, and those able are too few: {', '.join(counts)}.",

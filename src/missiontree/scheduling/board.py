@@ -25,6 +25,7 @@ class Board:
         self.problem, self.rule, self.graph, self.staffing = problem, rule, problem.graph, problem.staffing
         self.world = WorldState(problem.fleet, problem.trips)
         self.totals = {kind.id: dict(kind.total_limits) for kind in problem.fleet.types}
+        self.shared = dict(problem.shared)
         self.time = [0] * len(self.graph.successors)
         self.missing = indegrees(self.graph.successors)
         self.least_end: dict[int, int] = {}  # of activities that others must be under way for

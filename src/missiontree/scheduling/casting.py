@@ -27,6 +27,8 @@ class Casting:
     def __init__(self, board: Board, pool: Pool, demands: Demands) -> None:
         self._board, self._pool, self._demands = board, pool, demands
         self.looked = 0  # robots looked at: what a run costs, whatever the machine
+        self._usable = {kind.id: kind.usable for kind in board.problem.fleet.types if kind.usable < len(kind.members)}
+        self._in_use = dict.fromkeys(self._usable, 0)
 
     def choose(self, opening: Sequence[int], mates: Sequence[int], ready: int) -> dict[int, RobotState] | None:
         """Different free robots for all groups of these roles, the best first; None if there are not enough."""
@@ -35,7 +37,7 @@ class Casting:
         for role in (*opening, *mates):
             wanted.setdefault(group_of[role], role)
         if len(wanted) == 1:
-            best = min(self._candidates(opening[0], ready), default=None)
+            best = min(self._candidates(opening[0], ready, alone=True), default=None)
             return None if best is None else dict.fromkeys((*opening, *mates), best[-1])
         taken = match(
             {
@@ -49,20 +51,25 @@ class Casting:
         """From now on the robot is the one of the role's group."""
         group = self._board.staffing.group_of[role]
         self._board.robot_of_group[group] = robot
+        if not robot.used and robot.type_id in self._in_use:
+            self._in_use[robot.type_id] += 1
         robot.wears |= self._board.staffing.wears[group]
         self._pool.use(robot)
 
-    def _candidates(self, role: int, ready: int) -> list[_Ranked]:
+    def _candidates(self, role: int, ready: int, alone: bool = False) -> list[_Ranked]:
         """Free robots that may fill a role, and how well: by begin, idleness, way, and number, which is unique."""
         board, demands = self._board, self._demands
         group, bound, crew = board.staffing.group_of[role], board.bound(role), board.crew_of[role]
         avoids = board.staffing.avoids[group] if group not in board.robot_of_group else frozenset()
         moves = board.graph.tree.action(board.graph.roles[role][0]).moves
         type_id = board.staffing.type_of[role]
-        totals, known = board.totals[type_id], demands.of(role)
+        pooled, known = (board.totals[type_id], board.shared), demands.of(role)
+        beginners = None if bound is not None else self._beginners(type_id, alone)
         ranked: list[_Ranked] = []
         for robot in self._pool.robots(type_id, self._together(role)) if bound is None else [bound]:
             self.looked += 1
+            if beginners is not None and not robot.used and robot.id not in beginners:
+                continue
             if robot.role is not None or (robot.promised is not None and robot.promised != crew):
                 continue
             if avoids and avoids & robot.wears:
@@ -70,11 +77,23 @@ class Casting:
             if robot.stand not in known:
                 known[robot.stand] = demands.ask(role, robot.spot)
             demand = known[robot.stand]
-            if demand is None or (bound is None and demand.needs and not lasts(demand, robot, totals, TOLERANCE)):
+            if demand is None or (bound is None and demand.needs and not lasts(demand, robot, pooled, TOLERANCE)):
                 continue
             begin = max(ready, robot.free_at) + demand.way if moves else max(ready, robot.free_at + demand.way)
             ranked.append((begin, -robot.free_at, demand.metres, robot.index, robot))
         return ranked
+
+    def _beginners(self, type_id: str, alone: bool) -> set[str] | None:
+        """Robots that have done nothing yet and may begin; None if all may. ``alone``: one of them will be taken, else several."""
+        if type_id not in self._usable:
+            return None
+        board = self._board
+        kept = {name for name in board.rule.binding.values() if not board.world.robots[name].used}
+        kept = {name for name in kept if board.world.robots[name].type_id == type_id}
+        left = self._usable[type_id] - self._in_use[type_id] - len(kept)
+        fresh = [robot.id for robot in board.world.robots.values() if robot.type_id == type_id and not robot.used]
+        others = [name for name in fresh if name not in kept]
+        return {*kept, *(others if alone and left > 0 else others[: max(0, left)])}
 
     def _together(self, role: int) -> int:
         """How many robots that are alike could be taken at once with this role."""

@@ -1,4 +1,4 @@
-"""What actions and ways use of the budgets of robots and of their types."""
+"""What actions and ways use of the budgets of robots, of their types, and of the mission."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def charge(board: Board, robot: RobotState, action: Action, trip: Trip | None) -
         board.metres += trip.metres
         for name, amount in kind.uses_per_m.items():
             use[name] = use.get(name, 0.0) + amount * trip.metres
-    for whose, left in ((robot.id, robot.left), (kind.id, board.totals[kind.id])):
+    for whose, left in ((robot.id, robot.left), (kind.id, board.totals[kind.id]), ("The mission", board.shared)):
         for name, amount in use.items():
             if name in left:
                 left[name] -= amount
@@ -36,6 +36,6 @@ def charge(board: Board, robot: RobotState, action: Action, trip: Trip | None) -
                             rule="budget_exceeded",
                             message=f"{whose} runs out of {name} at {action.text!r}, {-left[name]:g} short.",
                             node=action.text,
-                            robot=whose,
+                            robot="" if left is board.shared else whose,
                         )
                     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from missiontree.estimation.travel import Blocked
@@ -47,7 +47,12 @@ class Demands:
         fleet = board.problem.fleet
         self._per_m = {kind.id: dict(kind.uses_per_m) for kind in fleet.types}
         self._limited = {
-            kind.id: {*kind.limits, *kind.total_limits, *(name for robot in kind.robots for name in robot.remaining)}
+            kind.id: {
+                *kind.limits,
+                *kind.total_limits,
+                *board.problem.shared,
+                *(name for robot in kind.robots for name in robot.remaining),
+            }
             for kind in fleet.types
         }
         self._found: dict[int, dict[int, Demand | None]] = {}
@@ -111,9 +116,10 @@ class Demands:
         return metres
 
 
-def lasts(demand: Demand, robot: RobotState, totals: Mapping[str, float], slack: float) -> bool:
-    """Whether the robot's budgets, and its type's, last for a demand; what is not limited always does."""
-    for name, amount in demand.needs.items():
-        if amount > robot.left.get(name, amount) + slack or amount > totals.get(name, amount) + slack:
-            return False
-    return True
+def lasts(demand: Demand, robot: RobotState, pooled: Sequence[Mapping[str, float]], slack: float) -> bool:
+    """Whether the robot's budgets, and those it shares with others, last for a demand; what is not limited always does."""
+    return all(
+        amount <= left.get(name, amount) + slack
+        for name, amount in demand.needs.items()
+        for left in (robot.left, *pooled)
+    )

@@ -16,12 +16,14 @@ from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.scheduling.alike import alike_roles
 from missiontree.scheduling.approach_budget import approaches_too_dear
 from missiontree.scheduling.bounds import lower_bounds
 from missiontree.scheduling.bundles import bundles_of, crews_of
 from missiontree.scheduling.holding import order_held_roles
 from missiontree.scheduling.impossible import budgets_exceeded, cycle_reason, group_needs, unreachable_places
+from missiontree.scheduling.mission_terms import required_in_vain, shared_by_all, shared_exceeded, terms_broken
 from missiontree.scheduling.overlap import overlaps_of_one_robot
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import task_graph
@@ -39,9 +41,16 @@ _TIME_IS_UP = Reason(rule="time_limit", message="Time was up before a schedule w
 ROBOTS_PER_CALL = 1_500_000  # the same, in robots looked at for a role
 
 
-def greedy(tree: GroundedTree, alternative: Alternative, fleet: Fleet, scene: Scene, control: Control) -> Schedule:
+def greedy(
+    tree: GroundedTree,
+    alternative: Alternative,
+    fleet: Fleet,
+    scene: Scene,
+    control: Control,
+    terms: Terms = NO_TERMS,
+) -> Schedule:
     """Schedule an alternative, see :class:`missiontree.scheduling.scheduler.Scheduler`."""
-    problem = _read(tree, alternative, fleet, scene)
+    problem = _read(tree, alternative, terms.team_of(fleet), scene, terms)
     if not isinstance(problem, Problem):
         method, reasons = problem
         return Schedule(
@@ -57,14 +66,14 @@ def greedy(tree: GroundedTree, alternative: Alternative, fleet: Fleet, scene: Sc
 
 
 def _read(
-    tree: GroundedTree, alternative: Alternative, fleet: Fleet, scene: Scene
+    tree: GroundedTree, alternative: Alternative, fleet: Fleet, scene: Scene, terms: Terms
 ) -> Problem | tuple[str, list[Reason]]:
     """The problem, or the method and the reasons of the proof that it cannot be solved."""
     graph = task_graph(tree, alternative.choices)
     if graph.order() is None:
         return "precedence", [cycle_reason(graph, rule="cycle", why="Each of these waits for the one before it")]
     staffing = staffing_of(graph)
-    if reasons := staffing_conflicts(graph, staffing, fleet):
+    if reasons := [*staffing_conflicts(graph, staffing, fleet), *required_in_vain(staffing, fleet, terms)]:
         return "staffing", reasons
     if reasons := overlaps_of_one_robot(graph, staffing, fleet):
         return "overlap", reasons
@@ -76,12 +85,14 @@ def _read(
     places = Places(graph, order, trips)
     if reasons := unreachable_places(graph, places, fleet, trips):
         return "reachability", reasons
-    if reasons := [*budgets_exceeded(graph, staffing, fleet), *approaches_too_dear(graph, places, trips)]:
+    needs, shared = group_needs(graph, staffing), shared_by_all(fleet, terms)
+    too_much = [*budgets_exceeded(graph, staffing, fleet), *shared_exceeded(needs, shared)]
+    if reasons := [*too_much, *approaches_too_dear(graph, places, trips)]:
         return "budget_bound", reasons
     bounds = lower_bounds(graph, order, staffing, places, fleet, trips)
-    needs = group_needs(graph, staffing)
     alike = alike_roles(graph, staffing, needs)
-    return Problem(graph, staffing, bounds, fleet, trips, bundles_of(graph), crews_of(graph), needs, alike)
+    bundles, crews, required = bundles_of(graph), crews_of(graph), terms.required_robots(fleet)
+    return Problem(graph, staffing, bounds, fleet, trips, bundles, crews, needs, alike, shared, required)
 
 
 def _best(problem: Problem, alternative: Alternative, control: Control) -> tuple[Draft | None, list[Reason]]:
@@ -98,8 +109,8 @@ def _best(problem: Problem, alternative: Alternative, control: Control) -> tuple
         if draft is None:
             return best, [_TIME_IS_UP, *failures]
         looked += run.looked
-        if draft.reasons:
-            failures.update(dict.fromkeys(draft.reasons))
+        if reasons := draft.reasons or terms_broken(problem, draft.robot_of):
+            failures.update(dict.fromkeys(reasons))
         elif best is None or draft.value < best.value:
             best = draft
         control.report(Progress("scheduling", number + 1, int(best is not None), seconds(problem.bounds.makespan)))

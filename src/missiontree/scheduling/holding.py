@@ -52,7 +52,7 @@ def _rivals(graph: TaskGraph, staffing: Staffing, fleet: Fleet) -> dict[int, lis
     sharing: dict[object, list[int]] = {}
     for role in graph.roles:
         sharing.setdefault(staffing.one_robot(fleet, role), []).append(role)
-        if len(fleet.by_id[staffing.type_of[role]].members) == 1:
+        if fleet.by_id[staffing.type_of[role]].usable == 1:
             sharing.setdefault((staffing.group_of[role],), []).append(role)
     rivals: dict[int, set[int]] = {}
     for roles in sharing.values():

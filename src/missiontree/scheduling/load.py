@@ -50,7 +50,7 @@ class _Pieces:
         self._by_group.setdefault(group, []).append(piece)
 
     def bound(self, fleet: Fleet) -> int:
-        loads = [_shared(pieces, len(fleet.by_id[kind].members)) for kind, pieces in self._by_type.items()]
+        loads = [_shared(pieces, fleet.by_id[kind].usable) for kind, pieces in self._by_type.items()]
         loads += [_shared(pieces, 1) for pieces in self._by_group.values() if len(pieces) > 1]
         return max(loads, default=0)
 

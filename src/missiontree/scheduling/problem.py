@@ -32,6 +32,10 @@ class Problem:
         What each group of roles uses of each budget at least.
     alike
         A number per role, equal for roles that ask the same of a robot.
+    shared
+        What all robots together may use, by name of the budget. Default: no such limit.
+    required
+        Robots each of which must fill a role. Default none.
     """
 
     graph: TaskGraph
@@ -43,6 +47,8 @@ class Problem:
     crews: Mapping[int, int]
     needs: Mapping[int, Mapping[str, float]]
     alike: Mapping[int, int]
+    shared: Mapping[str, float] = field(default_factory=dict)
+    required: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

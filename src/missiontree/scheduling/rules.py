@@ -18,17 +18,23 @@ def rules(problem: Problem, alternative: Alternative, runs: int, seed: int) -> I
     witness = {
         problem.staffing.group_of[one.role]: one.robot for one in alternative.witness if one.role in problem.graph.roles
     }
-    yield Rule("joint")
-    yield Rule("bundle")
-    yield Rule("none")
+    # Who must take part gets one group of roles beforehand, so that no run leaves it out.
+    asked = {
+        min(group for group, one in witness.items() if one == robot): robot
+        for robot in problem.required
+        if robot in witness.values()
+    }
+    yield from (Rule(crew, binding=asked) for crew in ("joint", "bundle", "none"))
     if witness:
         yield from (Rule(crew, binding=witness) for crew in _CREWS)
     spread = max(1, problem.bounds.makespan // 4)
-    yield from (Rule(crew, patience) for patience in (spread // 16, spread // 4, spread) for crew in _CREWS[:2])
+    yield from (
+        Rule(crew, patience, binding=asked) for patience in (spread // 16, spread // 4, spread) for crew in _CREWS[:2]
+    )
     rng = random.Random(seed)  # noqa: S311 - variation, not secrecy
     for number in range(runs):
         jitter = {activity: rng.randrange(spread) for activity in range(len(problem.graph.activities))}
-        binding = witness if number % 4 == 3 else {}
+        binding = witness if number % 4 == 3 else asked
         yield Rule(_CREWS[number % 3], rng.choice((0, 0, spread // 16, spread // 4)), jitter, binding)
     for binding in islice(_bindings(problem), MAX_BINDINGS):
         yield from (Rule(crew, binding=binding) for crew in _CREWS[:2])
@@ -39,9 +45,9 @@ def _bindings(problem: Problem) -> Iterator[dict[int, str]]:
     groups = sorted(problem.staffing.members)
     if len(groups) > 16:
         return
-    robots = [
-        [robot.id for robot in problem.fleet.by_id[problem.staffing.type_of[group]].members[: len(groups)]]
-        for group in groups
-    ]
+    members = {kind.id: [robot.id for robot in kind.members] for kind in problem.fleet.types}
+    for names in members.values():
+        names.sort(key=lambda name: name not in problem.required)
+    robots = [members[problem.staffing.type_of[group]][: len(groups)] for group in groups]
     for chosen in product(*robots):
         yield dict(zip(groups, chosen, strict=True))

@@ -10,13 +10,20 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.terms import NO_TERMS, Terms
 
 
 class Scheduler(Protocol):
     """Gives every role a robot and every action a time."""
 
     def __call__(
-        self, tree: GroundedTree, alternative: Alternative, fleet: Fleet, scene: Scene, control: Control
+        self,
+        tree: GroundedTree,
+        alternative: Alternative,
+        fleet: Fleet,
+        scene: Scene,
+        control: Control,
+        terms: Terms = NO_TERMS,
     ) -> Schedule:
         """
         Schedule one alternative.
@@ -33,5 +40,7 @@ class Scheduler(Protocol):
             Where things are and the ways between, introduced entities included.
         control
             Time limit, stop token, progress, seed.
+        terms
+            Who is left out or required, and what the scene holds for the whole mission. Default: nothing of all this.
         """
         ...

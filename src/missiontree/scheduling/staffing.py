@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 
-from missiontree.mission.fleet import Fleet
+from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.precedence import TaskGraph
 
@@ -44,7 +44,7 @@ class Staffing:
     def one_robot(self, fleet: Fleet, role: int) -> object:
         """A key that two roles share if they are certainly filled by one robot."""
         kind = fleet.by_id[self.type_of[role]]
-        return kind.id if len(kind.members) == 1 else (self.group_of[role],)
+        return kind.id if kind.usable == 1 else (self.group_of[role],)
 
 
 def staffing_of(graph: TaskGraph) -> Staffing:
@@ -133,14 +133,18 @@ def _teams_too_large(graph: TaskGraph, staffing: Staffing, fleet: Fleet) -> list
         Reason(
             rule="too_few_robots",
             message=f"{count} robots of type {fleet.by_id[type_id].label!r} are needed together, there are "
-            f"{len(fleet.by_id[type_id].members)}.",
+            f"{fleet.by_id[type_id].usable}{_kept_down(fleet.by_id[type_id])}.",
             robot=type_id,
-            found=str(len(fleet.by_id[type_id].members)),
+            found=str(fleet.by_id[type_id].usable),
             needed=str(count),
         )
         for (_, type_id), count in sorted(sizes.items(), key=str)
-        if count > len(fleet.by_id[type_id].members)
+        if count > fleet.by_id[type_id].usable
     ]
+
+
+def _kept_down(kind: RobotType) -> str:
+    return " that may be in use" if kind.usable < len(kind.members) else ""
 
 
 def _groups(graph: TaskGraph) -> dict[int, int]:
