@@ -34,7 +34,7 @@ def browser() -> Iterator[Browser]:
 def reports(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     """Reports of sample missions, as files."""
     folder = tmp_path_factory.mktemp("reports")
-    files = {name: folder / f"{name}.html" for name in ("site", "reunite", "restaurants")}
+    files = {name: folder / f"{name}.html" for name in ("site", "reunite", "restaurants", "wind_farm")}
     for name, file in files.items():
         file.write_text(report_html(plan(sample_file(name))), encoding="utf-8")
     return files

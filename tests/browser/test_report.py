@@ -10,10 +10,10 @@ from playwright.sync_api import Page, expect
 from tests.browser.conftest import Opener
 
 PARTS = ("schedule", "map", "tree", "timetable", "limits")
-WIDTHS = (360, 800, 1400, 2560)
+WIDTHS = (320, 390, 800, 1400, 2560)
 
 
-@pytest.mark.parametrize("sample", ["site", "reunite", "restaurants"])
+@pytest.mark.parametrize("sample", ["site", "reunite", "restaurants", "wind_farm"])
 @pytest.mark.parametrize("width", WIDTHS)
 def test_no_screen_makes_the_page_scroll_sideways(opened: Opener, sample: str, width: int) -> None:
     page = opened(sample, width=width)

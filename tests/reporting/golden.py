@@ -3,7 +3,7 @@ Keep the pictures that are part of the contract: every byte of them is looked at
 
 usage: python -m tests.reporting.golden
 
-The files are ``tests/reporting/golden/*.svg``. Look at each that has changed before it is kept.
+The files are those in ``tests/reporting/golden``. Look at each that has changed before it is kept.
 """
 
 from __future__ import annotations
@@ -11,16 +11,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from tests.reporting import golden_trees
+from tests.reporting import golden_charts, golden_maps, golden_trees
 
 FOLDER = Path(__file__).parent / "golden"
-PICTURES: dict[str, Callable[[], str]] = dict(golden_trees.pictures())
+PICTURES: dict[str, Callable[[], str]] = dict(
+    [*golden_trees.pictures(), *golden_charts.pictures(), *golden_maps.pictures()]
+)
 
 
 def main() -> None:
     """Write the files anew; those that are no longer made go."""
     FOLDER.mkdir(exist_ok=True)
-    for file in FOLDER.glob("*.svg"):
+    for file in FOLDER.iterdir():
         if file.name not in PICTURES:
             file.unlink()
             print(f"{file.name} is removed")

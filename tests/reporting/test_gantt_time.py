@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from missiontree.reporting.gantt.time import exact, in_words, ticks
+from missiontree.reporting.gantt.time import exact, in_words, span, ticks
 
 
 @pytest.mark.parametrize(
@@ -39,6 +39,23 @@ def test_a_time_beside_a_longer_one_is_said_in_the_same_way() -> None:
 @pytest.mark.parametrize(("time_s", "words"), [(0, "0 s"), (324.971, "324.971 s"), (20, "20 s"), (0.1, "0.1 s")])
 def test_exact_times_go_to_the_millisecond(time_s: float, words: str) -> None:
     assert exact(time_s) == words
+
+
+@pytest.mark.parametrize(
+    ("start_s", "end_s", "makespan_s", "words"),
+    [
+        (0, 5, 212, "0 to 5 s"),
+        (88.7, 100.08, 145.5, "88.7 to 100.1 s"),
+        (0.002, 0.02, 0.3, "0.002 to 0.02 s"),
+        (5, 5, 64, "at 5 s"),
+        (149.7, 189.96, 719, "2:29.7 to 3:10 min"),
+        (3_599.96, 3_601, 7_000, "60:00 to 60:01 min"),
+        (9_004, 9_005, 5 * 3_600, "2:30:04 to 2:30:05 h"),
+        (183_900, 183_900, 10 * 86_400, "at 51:05:00 h"),
+    ],
+)
+def test_spans_are_told_in_the_unit_of_the_axis(start_s: float, end_s: float, makespan_s: float, words: str) -> None:
+    assert span(start_s, end_s, makespan_s) == words
 
 
 @pytest.mark.parametrize(

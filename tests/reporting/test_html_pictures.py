@@ -52,10 +52,12 @@ def test_lines_and_signs_are_seen_on_dark_paper(colour: str) -> None:
     assert contrast(on_dark(colour), on_dark(PAPER)) >= 3
 
 
-def test_ink_reads_on_soft_bands_on_dark_paper() -> None:
+def test_words_read_on_soft_bands_on_dark_paper() -> None:
     for hue in HUES:
         assert contrast(on_dark(INK), on_dark(hue.tint)) >= 4.5
-        assert contrast(on_dark(hue.deep), on_dark(hue.tint)) >= 3
+        assert contrast(on_dark(hue.deep), on_dark(hue.tint)) >= 4.5
+        assert contrast(on_dark(MUTED), on_dark(hue.tint)) >= 4.5
+        assert contrast(on_dark(hue.tint), on_dark(PAPER)) >= 1.2
 
 
 def test_surfaces_of_robots_keep_their_words_and_stand_out_from_dark_paper() -> None:

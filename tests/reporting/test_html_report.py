@@ -18,6 +18,7 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.html.checked import Checked
 from missiontree.reporting.html.report import report_html
+from missiontree.samples import catalogue
 from tests.checking.damages import DAMAGES
 from tests.checking.plans import PLANS
 from tests.reporting.html_page import Element, parsed, planned, report_of
@@ -34,8 +35,8 @@ def test_every_tag_is_closed_and_every_id_stands_once(sample: str) -> None:
     assert len(set(ids)) == len(ids)
 
 
-@pytest.mark.parametrize("sample", PAPER)
-def test_a_report_of_a_mission_of_the_papers_is_small(sample: str) -> None:
+@pytest.mark.parametrize("sample", catalogue.SAMPLES)
+def test_a_report_of_a_sample_mission_is_small(sample: str) -> None:
     assert len(report_of(sample).encode()) < LARGEST_KB * 1000
 
 
@@ -191,6 +192,25 @@ def test_what_the_checker_says_stands_where_it_cannot_be_missed() -> None:
     refused = parsed(report_html(plan, Checked((fault,))))
     assert "The checker found 1 fault in this plan." in refused.find("header")[0].text
     assert fault.message in refused.find("header")[0].text
+    (outcome,) = refused.by_class("outcome")  # nothing beside a fault looks as if all were well
+    assert outcome.text.startswith("Planned, with faults.")
+    assert "bad" in outcome.attributes["class"].split()
+    assert "good" in sound.by_class("outcome")[0].attributes["class"].split()
+
+
+@pytest.mark.parametrize(("tasks", "folded", "more"), [(8, 0, 0), (9, 1, 0), (60, 52, 0), (63, 52, 3)])
+def test_of_many_tasks_with_refusals_the_first_eight_stand_open(tasks: int, folded: int, more: int) -> None:
+    plan = planned("reunite")
+    assert plan.grounding is not None
+    reasons = tuple(Reason(rule="kind_wrong", message=f"No {number}.", node=f"n{number}") for number in range(tasks))
+    page = parsed(report_html(replace(plan, grounding=replace(plan.grounding, not_offered=reasons))))
+    section = page.by_id("refused")
+    assert len(section.by_class("refused")) == min(tasks, 60)
+    inside = section.find("details")
+    assert [len(one.by_class("refused")) for one in inside] == ([folded] if folded else [])
+    assert [one.text for one in section.by_class("aside")] == (
+        [f"… and {more} more; the plan file has them all."] if more else []
+    )
 
 
 def test_a_plan_that_points_nowhere_is_refused() -> None:

@@ -9,9 +9,10 @@ from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
+from missiontree.reporting.clock import clock
 from missiontree.reporting.maps.content import content_of
 from missiontree.reporting.maps.routes import Route, letters_of, routes_of
-from missiontree.reporting.maps.stops import stops_of
+from missiontree.reporting.maps.stops import length_of, stops_of
 from missiontree.reporting.maps.whereabouts import whereabouts_of
 from missiontree.samples.catalogue import sample_file
 from tests.reporting.map_plans import Doing, by_hand, place, walker
@@ -148,7 +149,22 @@ def test_stops_are_told_with_place_and_time() -> None:
     )
     made = by_hand(scene, Fleet((walker(place="a"),)), doings)
     (found,), _ = routes_of(made, 1, scene)
-    assert stops_of(found, content_of(made)) == ["1 b 5 s", "2 Mia 10–12 s"]
+    assert stops_of(found, content_of(made), 599.9) == ["A1 b (5 s)", "A2 Mia (10–12 s)"]
+    assert stops_of(found, content_of(made), 600.0) == ["A1 b (0:00:05)", "A2 Mia (0:00:10–0:00:12)"]
+
+
+def test_the_last_stop_of_any_robot_says_how_long_all_takes() -> None:
+    doings = (Doing("walker-1", 0, 61.5, "b", moves=True, leg=(0, 61.5, A, B, 5)), Doing("walker-2", 0, 4000, "a"))
+    routes, _ = routes_of(by_hand(SCENE, Fleet((walker(2, place="a"),)), doings), 1, SCENE)
+    assert length_of(routes) == 4000
+    assert length_of([]) == 0
+
+
+@pytest.mark.parametrize(
+    ("time_s", "told"), [(0, "0:00:00"), (912.4, "0:15:12"), (3599.6, "1:00:00"), (360_000, "100:00:00")]
+)
+def test_a_clock_goes_on_after_a_day(time_s: float, told: str) -> None:
+    assert clock(time_s) == told
 
 
 @pytest.mark.parametrize(("robots", "index"), [(12, 11), (23, 22)])

@@ -59,7 +59,7 @@ def test_ways_are_written_as_letters_and_told_below() -> None:
     made = by_hand(SCENE, fleet, [Doing("walker-1", 0, 60, "b", moves=True, leg=(0, 60, A, B, 60))])
     lines = shown(made, 1)
     assert any("aaaaaaaaaa" in line for line in lines)
-    assert "A walker-1  from depot: 1 shop 60 s (60.0 m)" in lines
+    assert "A walker-1  from depot: A1 shop (60 s); 60.0 m in all" in lines
     assert not any("aaaa" in line for line in shown(made))
 
 

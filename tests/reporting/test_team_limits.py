@@ -60,6 +60,17 @@ def test_limits_of_all_robots_of_a_type_are_told_together() -> None:
     assert limits[-1] == LimitUse("all of Walker", "energy_j", 220, 400, at_least=False)
 
 
+def test_limits_of_the_whole_mission_are_told_last() -> None:
+    """220 J of 900 for the fleet, and of 800 in the scene."""
+    plan = made(replace(fleet(), total_limits={"energy_j": 900.0}), 50)
+    scene = replace(SCENE, stock={"energy_j": 800.0, "kits": 3.0})
+    limits = told(replace(plan, brief=replace(plan.brief, scene=scene)))
+    assert limits[1:] == (
+        LimitUse("the whole mission", "energy_j", 220, 900, at_least=False),
+        LimitUse("stock of the scene", "energy_j", 220, 800, at_least=False),
+    )
+
+
 def test_without_a_schedule_a_witness_tells_the_least_that_each_robot_uses() -> None:
     """Two actions of 50 J; how far it travels is not known."""
     plan = made(fleet(), 50)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from missiontree.reporting.tree.forks import MOST_DROP, is_marked
+from missiontree.reporting.tree.forks import MOST_ALIGNED, MOST_DROP, is_marked
 from missiontree.reporting.tree.marks import MARK_BELOW, MARK_HEIGHT
 from missiontree.reporting.tree.placing import Placed, draft_of, placed
 from missiontree.reporting.tree.rows import FRAME_PADDING
@@ -63,3 +63,25 @@ def test_boxes_in_a_column_hang_on_one_line() -> None:
     assert second.path(whole=True).count("L") == 3
     assert second.path(whole=False).count("L") == 2
     assert second.turn[0] < second.tick_at[0] < second.end[0]
+
+
+def test_a_mark_stands_near_its_box_in_a_row_that_is_much_higher() -> None:
+    """A, B and C share a row: C's many words make it high, so that A's mark would stand far below A; B is a little lower than C only."""
+    long = "Guide everybody who is in the building to the assembly point by the gate, then count them twice and report"
+    tree = drawn(
+        task(
+            "all",
+            task("A", routine("a1"), routine("a2")),
+            task(long, routine("b1"), routine("b2")),
+            task(long[:-11] + ".", routine("c1"), routine("c2")),
+        )
+    )
+    high = tree.rows.bottoms[1]
+    marks = {fork.node: fork for fork in tree.forks if tree.rows.level[fork.node] == 1}
+    for node, fork in marks.items():
+        below = high - box_of(tree, node).bottom
+        assert fork.mark_top == (high if below <= MOST_ALIGNED else box_of(tree, node).bottom) + MARK_BELOW
+        assert fork.foot[1] < fork.mark_top
+        assert fork.mark_top + MARK_HEIGHT <= fork.at[1]
+    near = [fork.mark_top < high for fork in marks.values()]
+    assert near == [True, False, False]

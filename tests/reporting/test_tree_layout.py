@@ -110,6 +110,33 @@ def test_a_mirrored_tree_is_laid_out_as_the_mirror_image(drawn: tuple[list[list[
     assert [layout.width - x for x in layout.x] == pytest.approx(list(mirror.x))
 
 
+@given(boxes(), st.integers(0, 12).map(float))
+def test_straight_edges_cost_neither_order_nor_distance(
+    drawn: tuple[list[list[int]], list[float]], straight: float
+) -> None:
+    children, widths = drawn
+    layout = tidy_layout(children, widths, GAP, straight=straight)
+    for row in in_order(children):
+        for left, right in pairwise(row):
+            room = layout.x[right] - widths[right] / 2 - layout.x[left] - widths[left] / 2
+            assert room >= GAP - 1e-9
+    for node, below in enumerate(children):
+        if below:
+            assert layout.x[node] == pytest.approx((layout.x[below[0]] + layout.x[below[-1]]) / 2)
+            nearest = min((abs(layout.x[child] - layout.x[node]) for child in below[1:-1]), default=0.0)
+            assert nearest < 1e-9 or nearest > straight - 1e-9
+
+
+def test_a_child_nearly_below_its_parent_stands_below_it() -> None:
+    # leaves 4, 4 and 8 wide with 2 between: middles at 2, 8 and 16, so the second would be 1 left of the middle, 9;
+    # the first gives way by 2, and everything is counted from its edge again
+    children, widths = [[1, 2, 3], [], [], []], [4.0, 4.0, 4.0, 8.0]
+    assert tidy_layout(children, widths, 2).x == (9, 2, 8, 16)
+    assert tidy_layout(children, widths, 2, straight=1).x == (10, 2, 10, 18)
+    assert tidy_layout([[3, 2, 1], [], [], []], widths, 2, straight=1).x == (12, 20, 12, 4)
+    assert tidy_layout(children, widths, 2, straight=0.9).x == (9, 2, 8, 16)
+
+
 @given(boxes(), st.data())
 def test_frames_keep_everything_else_out(drawn: tuple[list[list[int]], list[float]], data: st.DataObject) -> None:
     children, widths = drawn

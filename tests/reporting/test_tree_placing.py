@@ -151,6 +151,30 @@ def test_no_word_of_a_link_stands_on_another(shape: Shape) -> None:
         assert not one.meets(other)
 
 
+@given(shapes(LARGE, links=24))
+def test_the_word_of_a_link_stands_where_no_other_crosses_it_if_there_is_room(shape: Shape) -> None:
+    """Room is a stretch between crossings that is as long as the word and five pixels at either end; half a line off is crossed too."""
+    tree = drawn(shape)
+    upright = [
+        (a[0], min(a[1], b[1]), max(a[1], b[1]))
+        for arrow in tree.arrows
+        for a, b in pairwise(arrow.points)
+        if a[0] == b[0]
+    ]
+    for arrow in tree.arrows:
+        (x, y), half = arrow.label_at, text_width(LINK_WORDS[arrow.kind], LINK_SIZE) / 2
+        level = [sorted((a[0], b[0])) for a, b in pairwise(arrow.points) if a[1] == b[1] == y]
+        if arrow.upright or not LINK_WORDS[arrow.kind] or not level:
+            continue
+        [low, high] = next(ends for ends in level if ends[0] <= x <= ends[1])
+        crossings = [
+            (at, top < y < bottom) for at, top, bottom in upright if top - 6 < y < bottom + 6 and low < at < high
+        ]
+        widest = max(b - a for a, b in pairwise([low, *sorted(at for at, _ in crossings), high]))
+        hidden = [at for at, is_crossed in crossings if is_crossed and x - half < at < x + half]
+        assert not hidden or widest < 2 * half + 10 + NEAR
+
+
 @given(shapes(LARGE))
 def test_frames_hold_their_routine_and_nothing_else(shape: Shape) -> None:
     tree = drawn(shape)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from missiontree.reporting.escape import xml_safe
 from missiontree.reporting.palette import INK
 from missiontree.reporting.svg_numbers import n
-from missiontree.reporting.text_box import ELLIPSIS, text_width
+from missiontree.reporting.text_box import ELLIPSIS, NARROWEST, text_width
 
 FONT = "Helvetica, Arial, &quot;DejaVu Sans&quot;, sans-serif"
 
@@ -78,7 +78,7 @@ def middle_cut(words: str, size: float, room: float) -> str:
     """A name that fits: cut in its middle if it is too long, since names of robots differ at their ends."""
     if text_width(words, size) <= room:
         return words
-    kept = len(words) - 1
+    kept = max(1, min(len(words) - 1, int(room / (NARROWEST * size)) + 1))  # more never fit
     while kept > 1 and text_width(_without_middle(words, kept), size) > room:
         kept -= 1
     return _without_middle(words, kept)

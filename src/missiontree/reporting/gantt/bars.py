@@ -72,8 +72,8 @@ def words_of(words: Sequence[Word], row: Row, place: Place) -> Iterator[str]:
         elif word.spot in {"caption", "outside"}:
             ring = hue.tint if word.spot == "caption" else PAPER
             yield text(x, y, word.text, size=size, fill=hue.deep, kind="mt-deep", halo=ring)
-        elif word.spot in {"way", "aside"}:
-            ring = hue.tint if word.spot == "way" else PAPER
+        elif word.spot in {"way", "aside", "held", "waiting"}:
+            ring = hue.tint if word.spot in {"way", "held"} else PAPER
             yield text(x, y, word.text, size=size, fill=MUTED, kind="mt-muted", anchor="middle", halo=ring)
         else:
             bold = word.spot in {"number", "tag"}
@@ -110,12 +110,14 @@ def _width(bar: Bar, scale: Scale) -> float:
 
 
 def _bars(bars: Sequence[Bar], row: Row, scale: Scale, place: Place, prefix: str) -> Iterator[str]:
-    """Bars of one kind: work in full colour, moves on paper with stripes at their foot."""
+    """Bars of one kind, all thin or none: work in full colour, moves on paper with stripes at their foot."""
     if not bars:
         return
     moves = bars[0].moves
     look = f'class="mt-paper" fill="{PAPER}"' if moves else f'class="mt-fill" fill="{row.livery.paint(prefix)}"'
-    yield f'<g {look} stroke="{row.livery.hue.deep}">'
+    wide = _width(bars[0], scale) >= _THIN
+    dark = row.livery.hue.on == PAPER  # an edge of its own colour would part nothing
+    yield f'<g {look} stroke="{PAPER if dark and wide and not moves else row.livery.hue.deep}">'
     feet = []
     foot = min(FOOT, (place.bar_bottom - place.bar_top) / 2)
     for bar in bars:

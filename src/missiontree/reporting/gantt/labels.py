@@ -2,12 +2,14 @@
 Words in a row of a Gantt chart, none over another.
 
 An action's words stand in its bar if they fit, on one line or two; else beside it; else it gets a number, in its bar or below it,
-and its words go into a list under the chart. Numbers below bars that would touch are drawn together: ``4-7``.
+and its words go into a list under the chart. Numbers below bars that would touch are drawn together: ``4-7``. What a robot waits
+for stands over the dots, as far as there is room. Heads of arrows that point at bars from the left are kept free.
 """
 
 from __future__ import annotations
 
-from bisect import bisect_right
+import re
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
@@ -15,9 +17,12 @@ from typing import Literal, NamedTuple
 
 from missiontree.reporting.gantt.content import Bar, Row
 from missiontree.reporting.gantt.layout import BOLD, FOOT, Density, Scale
-from missiontree.reporting.text_box import text_width, wrapped
+from missiontree.reporting.svg_page import middle_cut
+from missiontree.reporting.text_box import balanced, text_width
 
 INSET = 5.0
+HEAD = 9.0
+"""Room that the head of an arrow takes before the bar it points at."""
 GAP = 6.0
 SMALL = 10.0
 """Font size of words on two lines, of numbers and of metres."""
@@ -26,7 +31,8 @@ MAX_NOTES = 60
 _LEAST_CAPTION = 48.0
 _MOST_RUNS = 6
 
-Spot = Literal["in", "beside", "number", "tag", "way", "aside", "caption", "outside"]
+Spot = Literal["in", "beside", "number", "tag", "way", "aside", "held", "waiting", "caption", "outside"]
+"""Way and aside, held and waiting, caption and outside: within a role's band, and beyond it."""
 
 
 class Word(NamedTuple):
@@ -66,9 +72,9 @@ class Letterer:
     density: Density
     limit: float
 
-    def lettered(self, row: Row) -> Lettering:
-        """The words that fit into a row: those of its roles, and those in and beside its bars."""
-        words, unfit = list(self._captions(row)), []
+    def lettered(self, row: Row, goals: Sequence[float] = ()) -> Lettering:
+        """The words that fit into a row: of its roles, its bars and its waits; ``goals``: where arrows end, sorted."""
+        words, unfit = [*self._captions(row), *self._waits(row, goals)], []
         spans = [self.scale.span(bar.start_s, bar.end_s) for bar in row.bars]
         more = [self.scale.span(one.start_s, one.end_s) for one in (*row.ways, *row.waits)]
         taken = sorted([*spans, *more])
@@ -77,20 +83,21 @@ class Letterer:
             after = taken[place][0] if place < len(taken) else inf
             if taken[place - 2 : place] == [span, span]:  # two without duration, at the same time
                 after = -inf
-            found = self._inside(bar, span) or self._beside(bar, span[1], after)
+            after = min(after, _goal(span[1], goals) - HEAD)
+            found = self._inside(bar, span, goals) or self._beside(bar, span[1], after)
             words += found
             if not found:
                 unfit.append(index)
         return Lettering(words, unfit)
 
-    def numbered(self, row: Row, numbers: Mapping[int, int]) -> list[Word]:
+    def numbered(self, row: Row, numbers: Mapping[int, int], goals: Sequence[float] = ()) -> list[Word]:
         """Numbers of those bars of a row that have one, by index; then metres of ways where there is room left."""
         words: list[Word] = []
         tags: list[tuple[list[int], float]] = []
         for index, number in numbers.items():
             left, right = self.scale.span(row.bars[index].start_s, row.bars[index].end_s)
             middle, written = (left + right) / 2, str(number)
-            if right - left >= text_width(written, SMALL) * BOLD + 5.0:
+            if right - left >= text_width(written, SMALL) * BOLD + 2 * _inset((left, right), goals, 2.5):
                 words.append(
                     Word(
                         middle, self._middle(row.bars[index]) + 3.6, written, SMALL, "middle", "number", row.bars[index]
@@ -129,18 +136,38 @@ class Letterer:
         low = self.scale.left
         for at, (role, (start, end)) in enumerate(zip(row.roles, spans, strict=True)):
             high = spans[at + 1][0] - GAP if at + 1 < len(spans) else self.scale.right - GAP
-            width = text_width(role.label, size)
+            width = text_width(role.label, size) + 0.5
             left = max(low, min(start + INSET, high - width))  # if need be it begins before its role
             if high - left >= min(width, _LEAST_CAPTION):
-                label = wrapped(role.label, size, high - left + 0.5, 1)[0]
+                label = middle_cut(role.label, size, high - left)  # like robots, roles differ at their ends
                 inside = start <= left and left + text_width(label, size) <= end
                 yield Word(left, size - self.density.caption, label, size, "start", "caption" if inside else "outside")
                 low = left + text_width(label, size) + GAP
             low = max(low, end + GAP)
 
-    def _inside(self, bar: Bar, span: tuple[float, float]) -> list[Word]:
+    def _waits(self, row: Row, goals: Sequence[float]) -> Iterator[Word]:
+        """What the robot waits for: in full, or only for whom."""
+        if not self.density.notes:
+            return
+        for wait in row.waits:
+            left, right = self.scale.x(wait.start_s), self.scale.x(wait.end_s)
+            right -= HEAD if _goal(right, goals) - right < 1 else 0.0
+            short = re.split("[:,]", wait.label)[0]
+            for words in (wait.label, short):
+                width = text_width(told := f"waits {words}", SMALL)
+                if words and width + 4 <= right - left:
+                    held = any(
+                        self.scale.x(role.start_s) <= (left + right - width) / 2
+                        and (left + right + width) / 2 <= self.scale.x(role.end_s)
+                        for role in row.roles
+                    )
+                    y = self.density.bar / 2 - 5.0
+                    yield Word((left + right) / 2, y, told, SMALL, "middle", "held" if held else "waiting")
+                    break
+
+    def _inside(self, bar: Bar, span: tuple[float, float], goals: Sequence[float]) -> list[Word]:
         left, right = span
-        room, middle, size = right - left - 2 * INSET, (left + right) / 2, self.density.size
+        room, middle, size = right - left - 2 * _inset(span, goals, INSET), (left + right) / 2, self.density.size
         for lines in _wordings(bar, room, two=self.density.notes):
             top = self._middle(bar) + (0.36 * size if len(lines) == 1 else -0.17 * LINE)
             written = size if len(lines) == 1 else SMALL
@@ -185,6 +212,17 @@ class Letterer:
         return self._spread(_ranges(group[0]), (group[1][0] + group[1][-1]) / 2)
 
 
+def _inset(span: tuple[float, float], goals: Sequence[float], least: float) -> float:
+    """How far words in a bar stay from its sides: off the head of an arrow to the next bar, which lies on its end."""
+    return max(least, span[1] - _goal(span[1], goals) + HEAD)
+
+
+def _goal(x: float, goals: Sequence[float]) -> float:
+    """The first end of an arrow at x or right of it; infinite if there is none."""
+    place = bisect_left(goals, x - 0.1)
+    return goals[place] if place < len(goals) else inf
+
+
 def _wordings(bar: Bar, room: float, *, two: bool) -> Iterator[list[str]]:
     """Ways of writing what a bar says on one line or two, the fullest first."""
     if bar.way:
@@ -193,7 +231,7 @@ def _wordings(bar: Bar, room: float, *, two: bool) -> Iterator[list[str]]:
             yield [bar.label, bar.way]
     yield [bar.label]
     if two and max(text_width(word, SMALL) for word in bar.label.split() or [""]) <= room:  # no word is cut
-        lines = wrapped(bar.label, SMALL, room, 3)
+        lines = balanced(bar.label, SMALL, room, 3)
         if len(lines) == 2:
             yield lines
 

@@ -8,6 +8,8 @@ from typing import NamedTuple
 from missiontree.reporting.gantt.bars import diamonds, stripes
 from missiontree.reporting.gantt.content import Bar, Content, Row
 from missiontree.reporting.gantt.layout import BOLD, MARGIN
+from missiontree.reporting.gantt.links import WASH
+from missiontree.reporting.gantt.time import span
 from missiontree.reporting.palette import BLUE, HAIR, INK, MUTED, VIOLET
 from missiontree.reporting.svg_numbers import n
 from missiontree.reporting.svg_page import text
@@ -27,12 +29,15 @@ class Block(NamedTuple):
     height: float
 
 
-def notes(numbered: Sequence[tuple[int, Bar]], top: float, width: float) -> Block:
-    """The list of numbered actions, in columns, read downwards."""
+def notes(numbered: Sequence[tuple[int, Bar]], makespan_s: float, top: float, width: float) -> Block:
+    """The list of numbered actions with their times in the unit of the axis, in columns, read downwards."""
     if not numbered:
         return Block((), 0.0)
     digits = text_width(str(numbered[-1][0]), SIZE) * BOLD
-    entries = [(str(number), bar.label, f" ({_when(bar)})") for number, bar in numbered]
+    entries = [
+        (str(number), bar.label, f"{f' · {bar.way}' if bar.way else ''} ({span(bar.start_s, bar.end_s, makespan_s)})")
+        for number, bar in numbered
+    ]
     low, high = _COLUMN
     widest = max(digits + 8 + text_width(label + when, SIZE) for _, label, when in entries)
     wide = min(max(low, widest), high, width - 2 * MARGIN)
@@ -45,11 +50,6 @@ def notes(numbered: Sequence[tuple[int, Bar]], top: float, width: float) -> Bloc
         short = wrapped(label, SIZE, wide - digits - 7.5 - text_width(when, SIZE), 1)[0]
         lines.append(text(x + digits + 8, y, short + when, size=SIZE))
     return Block(lines, LINE * rows + 8)
-
-
-def _when(bar: Bar) -> str:
-    start, end = (f"{time_s:.1f}".removesuffix(".0") for time_s in (bar.start_s, bar.end_s))
-    return f"{start} to {end} s" if bar.end_s > bar.start_s else f"at {start} s"
 
 
 def remarks(said: Sequence[str], top: float, width: float) -> Block:
@@ -116,7 +116,7 @@ def _signs(content: Content, rows: Sequence[Row], prefix: str, *, arrows: bool) 
 
 
 _JOINT = (
-    f'<rect class="mt-joint mt-fill" x="4" y="1" width="22" height="14" fill="{VIOLET}" fill-opacity="0.16"/>'
+    f'<rect class="mt-joint mt-fill" x="4" y="1" width="22" height="14" fill="{VIOLET}" fill-opacity="{WASH}"/>'
     f'<path class="mt-joint mt-line" d="M5 1 V15 M25 1 V15" fill="none" stroke="{VIOLET}" stroke-width="2" '
     'stroke-dasharray="5 2"/>'
 )

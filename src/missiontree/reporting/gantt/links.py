@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from missiontree.reporting.gantt.layout import Place
-from missiontree.reporting.palette import BLUE, INK, VIOLET
+from missiontree.reporting.palette import BLUE, INK, PAPER, VIOLET
 from missiontree.reporting.svg_numbers import n
 
 BACK = 7.0
@@ -15,6 +15,8 @@ BACK = 7.0
 _HEAD = 6.0
 _CORNER = 3.0
 _NEAR = 4.0
+WASH = 0.14
+"""How much of its colour the tint between joint work has."""
 
 
 class Box(NamedTuple):
@@ -28,7 +30,14 @@ class Box(NamedTuple):
 Point = tuple[float, float]
 
 
-def arrow(first: Box, second: Box, *, lit: bool, to_end: bool) -> str:
+class Arrow(NamedTuple):
+    """An arrow as written: the line, which passes behind bars, and the head, which stands in front of them."""
+
+    line: str
+    head: str
+
+
+def arrow(first: Box, second: Box, *, lit: bool, to_end: bool) -> Arrow:
     """
     An arrow from the end of one bar to the start of another in another row, or down to its end.
 
@@ -52,29 +61,40 @@ def arrow(first: Box, second: Box, *, lit: bool, to_end: bool) -> str:
     points += [goal] if to_end else [(turn, goal[1]), goal]
     colour, width, kind = (INK, 2.4, "mt-critical mt-line") if lit else (BLUE, 1.4, "mt-link mt-line")
     head_kind = "mt-critical mt-fill" if lit else "mt-link mt-fill"
-    return (
-        f'<path class="{kind}" d="{_path(_short_of_goal(points))}" fill="none" stroke="{colour}" stroke-width="{n(width)}"/>'
-        f'<path class="{head_kind}" d="{_head(points, _HEAD + (1.0 if lit else 0.0))}" fill="{colour}"/>'
+    return Arrow(
+        f'<path class="{kind}" d="{_path(_short_of_goal(points))}" fill="none" stroke="{colour}" stroke-width="{n(width)}"/>',
+        f'<path class="{head_kind}" d="{_head(points, _HEAD + (1.0 if lit else 0.0))}" fill="{colour}" stroke="{PAPER}" '
+        'stroke-width="1.6" stroke-linejoin="round" paint-order="stroke"/>',
     )
 
 
 def bridge(boxes: Sequence[Box]) -> Iterator[str]:
-    """
-    What joins bars of joint work: lines at their start and their end, from each row to the next that takes part.
-
-    Between neighbours the room between the lines is tinted; over rows that have no part in it, it is not.
-    """
-    for upper, lower in pairwise(sorted(boxes, key=lambda box: box.place.top)):
+    """What joins bars of joint work: lines at their start and their end, from each row to the next that takes part."""
+    for upper, lower in _neighbours(boxes):
         top, height = upper.place.bar_bottom, lower.place.bar_top - upper.place.bar_bottom
-        if upper.place.bottom == lower.place.top:
-            yield (
-                f'<rect class="mt-joint mt-fill" x="{n(upper.left)}" y="{n(top)}" width="{n(upper.right - upper.left)}" '
-                f'height="{n(height)}" fill="{VIOLET}" fill-opacity="0.16"/>'
-            )
         yield (
             f'<path class="mt-joint mt-line" d="M{n(upper.left + 1)} {n(top)} v{n(height)} M{n(upper.right - 1)} {n(top)} '
             f'v{n(height)}" fill="none" stroke="{VIOLET}" stroke-width="2" stroke-dasharray="5 2"/>'
         )
+
+
+def wash(boxes: Sequence[Box]) -> Iterator[str]:
+    """
+    The tint between bars of joint work that are in neighbouring rows; over rows that have no part in it, there is none.
+
+    It lies over the words of the rows: so it colours their halos as it does the ground.
+    """
+    for upper, lower in _neighbours(boxes):
+        if upper.place.bottom == lower.place.top:
+            top, height = upper.place.bar_bottom, lower.place.bar_top - upper.place.bar_bottom
+            yield (
+                f'<rect class="mt-joint mt-fill" x="{n(upper.left)}" y="{n(top)}" width="{n(upper.right - upper.left)}" '
+                f'height="{n(height)}" fill="{VIOLET}" fill-opacity="{WASH}" pointer-events="none"/>'
+            )
+
+
+def _neighbours(boxes: Sequence[Box]) -> Iterator[tuple[Box, Box]]:
+    return pairwise(sorted(boxes, key=lambda box: box.place.top))
 
 
 def _path(points: Sequence[Point]) -> str:

@@ -13,7 +13,7 @@ from missiontree.reporting.gantt.content import Bar, Content, Row
 from missiontree.reporting.gantt.labels import Word
 from missiontree.reporting.gantt.layout import BOLD, MARGIN, Density, Place, Scale, places
 from missiontree.reporting.gantt.legend import idle_words, legend, notes, remarks, rule
-from missiontree.reporting.gantt.links import Box, arrow, bridge
+from missiontree.reporting.gantt.links import Arrow, Box, arrow, bridge, wash
 from missiontree.reporting.gantt.words import TITLE, UNDER, description, mission_of, summary
 from missiontree.reporting.palette import MUTED, hatch_lines
 from missiontree.reporting.svg_numbers import n
@@ -89,13 +89,17 @@ class Chart:
         yield rule(bottom, self.width)
         yield from self._bands(stand)
         yield axis.end_line(self.scale, top - 4, bottom)
-        yield from self._links(stand)
+        yield from self._bridges(stand)
+        arrows = list(self._arrows(stand))
+        yield from (arrow.line for arrow in arrows)
         for row, words, where in zip(self.rows, self.words, stand, strict=True):
             yield f'<g class="mt-row mt-hue-{row.livery.number}">'
             yield from strokes(row, self.scale, where, self.prefix)
             yield from words_of(words, row, where)
             yield from self._name(row, where)
             yield "</g>"
+        yield from self._washes(stand)
+        yield from (arrow.head for arrow in arrows)
         yield from axis.labels(self.scale, top - 10)
         yield from below
         yield "</svg>"
@@ -106,10 +110,18 @@ class Chart:
             yield from bands(row, self.scale, place)
             yield "</g>"
 
-    def _links(self, stand: Sequence[Place]) -> Iterator[str]:
+    def _bridges(self, stand: Sequence[Place]) -> Iterator[str]:
         boxes = self._boxes(stand)
         for leaves in self.content.joint:
             yield from bridge([boxes[leaf] for leaf in leaves if leaf in boxes])
+
+    def _washes(self, stand: Sequence[Place]) -> Iterator[str]:
+        boxes = self._boxes(stand)
+        for leaves in self.content.joint:
+            yield from wash([boxes[leaf] for leaf in leaves if leaf in boxes])
+
+    def _arrows(self, stand: Sequence[Place]) -> Iterator[Arrow]:
+        boxes = self._boxes(stand)
         mates = {leaf: leaves for leaves in self.content.joint for leaf in leaves}
         orders = [order for order in self.content.orders if order.first in boxes and order.second in boxes]
         quiet = [order for order in orders if not order.lit]
@@ -128,10 +140,10 @@ class Chart:
         }
 
     def _name(self, row: Row, place: Place) -> Iterator[str]:
-        size, room = self.density.name_size, self.scale.left - MARGIN - 20.0
+        size, room = self.density.name_size, self.scale.left - MARGIN - 19.5
         name = middle_cut(row.robot, size * BOLD, room)
         middle = place.middle
-        height = min(30.0, place.bottom - place.top - 6)
+        height = min(30.0, 2 * (min(middle - place.top, place.bottom - middle) - 3))
         yield (
             f'<rect class="mt-fill" x="{n(MARGIN)}" y="{n(middle - height / 2)}" width="5" height="{n(height)}" rx="2" '
             f'fill="{row.livery.paint(self.prefix)}"/>'
@@ -148,7 +160,7 @@ class Chart:
         said = [*idle_words(self.content.idle), *(f"{words[0].upper()}{words[1:]}." for words in self.said)]
         if quiet > MAX_ARROWS:
             said.append(f"{quiet:,} arrows that tell what comes first are left out.")
-        numbered = notes(self.numbered, top, self.width)
+        numbered = notes(self.numbered, self.content.makespan_s, top, self.width)
         remarked = remarks(said, top + numbered.height, self.width)
         top += numbered.height + remarked.height
         signs = legend(self.content, self.rows, top, self.width, self.prefix, arrows=0 < quiet <= MAX_ARROWS)

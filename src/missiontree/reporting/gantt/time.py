@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+_BRIEF = 10.0
+"""Below so many seconds, times are told to the millisecond."""
 _UNITS = (("d", 86_400), ("h", 3_600), ("min", 60))
 
 
@@ -56,6 +58,27 @@ def unit_of(makespan_s: float) -> Unit:
     if makespan_s < 600:
         return _SECONDS
     return _MINUTES if makespan_s < 3 * 3_600 else _HOURS if makespan_s < 3 * 86_400 else _DAYS
+
+
+def span(start_s: float, end_s: float, makespan_s: float) -> str:
+    """From when to when, in the unit of an axis of that length: ``0 to 5 s``, ``2:29.7 to 3:09.7 min``, ``at 1:05:00 h``."""
+    unit = unit_of(makespan_s)
+    if unit is _SECONDS:
+        digits = 3 if makespan_s < _BRIEF else 1
+        start, end = (f"{time_s:.{digits}f}".rstrip("0").rstrip(".") for time_s in (start_s, end_s))
+    else:
+        start, end = (_clock(time_s, hours=unit is not _MINUTES) for time_s in (start_s, end_s))
+    sign = "h" if unit is _DAYS else unit.sign
+    return f"{start} to {end} {sign}" if end_s > start_s else f"at {start} {sign}"
+
+
+def _clock(time_s: float, *, hours: bool) -> str:
+    """``2:29.7``; with hours, ``51:05:00``."""
+    tenths = round(time_s * 10)
+    whole, part = divmod(tenths, 10)
+    minutes, seconds = divmod(whole, 60)
+    tail = f"{seconds:02d}" + (f".{part}" if part else "")
+    return f"{minutes // 60}:{minutes % 60:02d}:{tail}" if hours else f"{minutes}:{tail}"
 
 
 def ticks(makespan_s: float, most: int) -> list[Tick]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.gantt import axis
-from missiontree.reporting.gantt.content import Bar
+from missiontree.reporting.gantt.content import Bar, Content, Row
 from missiontree.reporting.gantt.labels import MAX_NOTES, Letterer
 from missiontree.reporting.gantt.layout import MARGIN, MAX_ROWS, Scale, density_of, gutter_of, shown
 from missiontree.reporting.gantt.page import Chart
@@ -21,9 +21,9 @@ def gantt_svg(plan: Plan, rank: int, *, width: float = 1100.0) -> str:
     The schedule of an alternative as a picture.
 
     Robots are rows, in the order of the fleet. A role is a soft band, an action a bar in the hue of its robot, a way is striped,
-    waiting is dotted. Joint work is joined across rows; arrows tell what comes first where robots differ, on one row that is
-    left to right. The critical chain is outlined and marked. Every bar carries its exact times as a title. Equal plans give equal
-    bytes. Beyond 200 robots or 2,000 actions the picture sums up, and says so.
+    waiting is dotted and says for what. Joint work is joined across rows; arrows tell what comes first where robots differ, on
+    one row that is left to right. The critical chain is outlined and marked. Every bar carries its exact times as a
+    title. Equal plans give equal bytes. Beyond 200 robots or 2,000 actions the picture sums up, and says so.
 
     Parameters
     ----------
@@ -56,14 +56,15 @@ def _chart(plan: Plan, schedule: Schedule, width: float, prefix: str) -> Chart:
     scale = Scale(left, right, content.makespan_s)
     drawn = shown(content, scale)
     letterer = Letterer(scale, density, width - MARGIN)
-    lettered = [letterer.lettered(row) for row in drawn.rows]
+    goals = [_goals(row, content, scale) for row in drawn.rows]
+    lettered = [letterer.lettered(row, own) for row, own in zip(drawn.rows, goals, strict=True)]
     unfit = [(at, index) for at, one in enumerate(lettered) for index in one.unfit] if density.notes else []
     longest = sorted(unfit, key=lambda one: _weight(drawn.rows[one[0]].bars[one[1]]))[:MAX_NOTES]
     numbers = {one: number for number, one in enumerate(sorted(longest), start=1)}
     words = []
     for at, (row, one) in enumerate(zip(drawn.rows, lettered, strict=True)):
         own = {index: number for (where, index), number in numbers.items() if where == at}
-        words.append([*one.words, *(letterer.numbered(row, own) if density.notes else ())])
+        words.append([*one.words, *(letterer.numbered(row, own, goals[at]) if density.notes else ())])
     said = list(drawn.said)
     if len(unfit) > len(longest):
         said.append(
@@ -73,6 +74,12 @@ def _chart(plan: Plan, schedule: Schedule, width: float, prefix: str) -> Chart:
         said.append("words are left out where they do not fit; every bar tells its own as a tooltip")
     numbered = [(number, drawn.rows[at].bars[index]) for (at, index), number in numbers.items()]
     return Chart(plan, schedule, content, drawn.rows, words, numbered, said, scale, density, width, prefix)
+
+
+def _goals(row: Row, content: Content, scale: Scale) -> list[float]:
+    """Where arrows may end in a row, coming from the left."""
+    held = {order.second for order in content.orders if not order.to_end}
+    return [scale.x(bar.start_s) for bar in row.bars if bar.leaf in held]
 
 
 def _weight(bar: Bar) -> tuple[bool, float]:

@@ -50,7 +50,8 @@ class Crew:
     Parameters
     ----------
     members
-        Robots in the order in which they begin; without a schedule, robot types in the order of the tree.
+        Robots in the order in which they begin, of those that begin together in that of the fleet, as in the chart; without a schedule,
+        robot types in the order of the tree.
     left_out
         How many of them are not listed.
     idle
@@ -74,10 +75,11 @@ def crew(plan: Plan, alternative: Alternative, schedule: Schedule | None) -> Cre
     held: dict[str, list[tuple[float, float, int]]] = defaultdict(list)
     for assignment in schedule.assignments:
         held[assignment.robot].append((*spans.get(assignment.role, (0.0, 0.0)), assignment.role))
-    order = sorted((min(roles), robot) for robot, roles in held.items())
     hues, kinds = liveries(plan.brief.fleet), plan.brief.fleet.type_of
+    places = {robot: place for place, robot in enumerate(plan.brief.fleet.robots)}
+    order = sorted(held, key=lambda robot: (min(held[robot])[0], places.get(robot, len(places)), robot))
     members = []
-    for _, robot in order[:MOST_MEMBERS]:
+    for robot in order[:MOST_MEMBERS]:
         roles = sorted(held[robot])
         told = roles[:FEW] if few else roles
         jobs = [words.job(role, between(start, end, schedule.makespan_s)) for start, end, role in told]

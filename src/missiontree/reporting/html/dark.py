@@ -10,6 +10,8 @@ from missiontree.reporting.palette import DARK, HUES, PAPER
 
 _PAINTED = re.compile(r'(?:fill|stroke)="(#[0-9a-fA-F]{6})"')
 _LEAST_SURFACE = 0.55
+_TINT = 0.29
+"""Lightness of a robot's tint, so deep that its own colour and muted words can be read on it."""
 
 
 def dark_rules(pictures: Iterable[str]) -> str:
@@ -31,7 +33,7 @@ def _rules(colour: str) -> Iterator[str]:
 def on_dark(colour: str) -> str:
     """The counterpart of a colour: paper becomes nearly black, ink nearly white, and what lies between changes places."""
     lightness, a, b = _lab(colour)
-    return _hex(0.2 + 0.78 * max(0.0, 1 - lightness) ** 0.6, a, b)
+    return _hex(_TINT, a, b) if colour in _TINTS else _hex(0.2 + 0.78 * max(0.0, 1 - lightness) ** 0.6, a, b)
 
 
 def _surface(colour: str) -> str:
@@ -81,6 +83,7 @@ def _gamma(channel: float) -> float:
     return 12.92 * channel if channel <= 0.0031308 else 1.055 * math.pow(channel, 1 / 2.4) - 0.055
 
 
+_TINTS = frozenset(hue.tint for hue in HUES)
 _ROBOTS = {hue.fill: _surface(hue.fill) for hue in HUES}
 _SURFACES = _ROBOTS | {DARK: DARK}
 _ON_SURFACES = (PAPER, DARK)

@@ -22,6 +22,8 @@ from missiontree.reporting.html.ways import Way, outline
 from missiontree.reporting.team.view import team_view
 
 MOST_REFUSED = 60
+UNFOLDED_REFUSED = 8
+"""So many tasks stand there at once; the others are folded, as what matters to hands stands further down."""
 ROWS: tuple[tuple[tuple[str, ...], tuple[str, ...]], ...] = (
     (("why",), ()),
     (("schedule",), ()),
@@ -97,8 +99,9 @@ def _sections(plan: Plan, ways: tuple[Way, ...], tree: Picture | None, checked: 
         only = branched[0] if len(branched) == 1 and len(ways) > 1 else None
         yield _section("tree", "Mission tree", ways=ways, tree=tree, branches=only, outline=outline(plan))
     if refusals := not_offered(plan):
+        shown, folded = refusals[:UNFOLDED_REFUSED], refusals[UNFOLDED_REFUSED:MOST_REFUSED]
         more = max(0, len(refusals) - MOST_REFUSED)
-        yield _section("refused", "Not offered", refusals=refusals[:MOST_REFUSED], more=more)
+        yield _section("refused", "Not offered", refusals=shown, folded=folded, more=more)
     if plan.provenance.reading:
         yield _section("reading", "How the words were read", reading=plan.provenance.reading)
     yield _section(

@@ -17,13 +17,14 @@ from missiontree.routines.compose import FlatRole, flatten
 
 
 def thresholds(plan: Plan, alternative: Alternative, schedule: Schedule) -> tuple[Used, ...]:
-    """The most that the roles of each robot need of each limit that they compare with, where both numbers are known."""
+    """The most that the roles of each robot need of each limit that they compare with, where both are known; in the order of the fleet."""
     tightest: dict[tuple[str, str], Used] = {}
     for row in _compared(plan, alternative, schedule):
         known = tightest.get((row.who, row.name))
         if known is None or row.filled > known.filled:
             tightest[row.who, row.name] = row
-    return tuple(tightest.values())
+    places = {robot: place for place, robot in enumerate(plan.brief.fleet.robots)}
+    return tuple(sorted(tightest.values(), key=lambda row: places.get(row.who, len(places))))
 
 
 def _compared(plan: Plan, alternative: Alternative, schedule: Schedule) -> Iterator[Used]:

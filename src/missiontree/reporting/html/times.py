@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
+from missiontree.reporting.clock import LONG_S, clock
 from missiontree.reporting.gantt.time import in_words
-
-LONG_S = 600.0
 
 
 def at(time_s: float, makespan_s: float) -> str:
     """A point in time of a schedule: ``95.5 s``; ``1:02:03`` in one of ten minutes or more."""
-    if makespan_s < LONG_S:
-        return f"{time_s:.1f} s"
-    whole = round(time_s)
-    return f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"
+    return f"{time_s:.1f} s" if makespan_s < LONG_S else clock(time_s)
 
 
 def between(start_s: float, end_s: float, makespan_s: float) -> str:

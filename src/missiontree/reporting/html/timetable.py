@@ -43,7 +43,7 @@ class Timetable:
     Parameters
     ----------
     robots
-        Name and lines, in order of the names.
+        Name and lines, in the order of the fleet, as in the chart; strangers to it come last, by name.
     more
         How many lines are not listed.
     """
@@ -54,7 +54,11 @@ class Timetable:
 
 def timetable(plan: Plan, schedule: Schedule) -> Timetable:
     """The lines of a schedule, robot by robot, each in order of time."""
-    rows = sorted(timeline_rows(schedule, plan), key=lambda row: (row.robot, row.start_s, row.end_s))
+    places = {robot: place for place, robot in enumerate(plan.brief.fleet.robots)}
+    rows = sorted(
+        timeline_rows(schedule, plan),
+        key=lambda row: (places.get(row.robot, len(places)), row.robot, row.start_s, row.end_s),
+    )
     end = schedule.makespan_s
     by_robot: dict[str, list[Line]] = defaultdict(list)
     for row in rows[:MOST_ROWS]:

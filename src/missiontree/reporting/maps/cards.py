@@ -11,7 +11,7 @@ from missiontree.reporting.maps.labels import Placed
 from missiontree.reporting.maps.marks import PILL_HEIGHT, pill, pill_width, sign
 from missiontree.reporting.maps.routes import Route, Stop
 from missiontree.reporting.maps.things import Thing, ThingKind
-from missiontree.reporting.palette import INK, MUTED, PAPER, QUIET, VIOLET
+from missiontree.reporting.palette import INK, MUTED, PAPER, VIOLET
 from missiontree.reporting.svg_numbers import n
 from missiontree.reporting.text_box import text_width, wrapped
 
@@ -100,7 +100,7 @@ def _names(cluster: Cluster, short: bool) -> Iterator[_Row]:
     for place, thing in enumerate(shown):
         kind = None if place == 0 or thing.kind == "place" else thing.kind
         room = MOST_WIDTH - (_SIGN if kind is not None else 0.0)
-        unsure = not thing.sure and thing.kind != "lift" and place > 0
+        unsure = not thing.sure and place > 0
         lines = wrapped(name_of(thing) + (" ?" if unsure else ""), SIZE, room, 2 if place == 0 or kind == "lift" else 1)
         for number, line in enumerate(lines):
             lead = kind if number == 0 else None
@@ -125,11 +125,14 @@ def _starts(cluster: Cluster, short: bool) -> Iterator[_Row]:
 
 
 def _stops(cluster: Cluster) -> Iterator[_Row]:
+    if len(cluster.stops) > MOST_PILLS:
+        robots = len({route.robot for route, _ in cluster.stops})
+        yield _Row(f"{len(cluster.stops)} stops of {robots} {'robot' if robots == 1 else 'robots'}", quiet=True)
+        return
     pills = [(f"{route.letter}{stop.number}", route, stop_title(route, stop)) for route, stop in cluster.stops]
-    left = len(pills) - MOST_PILLS
     row: list[tuple[str, Route, str]] = []
     room = MOST_WIDTH
-    for one in pills[:MOST_PILLS]:
+    for one in pills:
         width = pill_width(one[0]) + 2
         if row and width > room:
             yield _Row(pills=tuple(row))
@@ -138,8 +141,6 @@ def _stops(cluster: Cluster) -> Iterator[_Row]:
         room -= width
     if row:
         yield _Row(pills=tuple(row))
-    if left > 0:
-        yield _Row(f"and {left} stops more", quiet=True)
 
 
 def stop_title(route: Route, stop: Stop) -> str:
@@ -154,7 +155,9 @@ def draw_card(card: Card, placed: Placed) -> Iterator[str]:
     yield '<g class="mt-map-label">'
     if placed.leader is not None:
         (ax, ay), (bx, by) = placed.leader
-        yield f'<path class="mt-map-leader" d="M{n(ax)} {n(ay)} L{n(bx)} {n(by)}" fill="none" stroke="{QUIET}" stroke-width="0.9"/>'
+        line = f'd="M{n(ax)} {n(ay)} L{n(bx)} {n(by)}" fill="none"'
+        yield f'<path {line} stroke="{PAPER}" stroke-width="3.5"/>'  # so that it is seen where it crosses routes
+        yield f'<path class="mt-map-leader" {line} stroke="{INK}" stroke-width="0.9"/>'
     yield (
         f'<rect class="mt-map-card" x="{n(box.left)}" y="{n(box.top)}" width="{n(box.right - box.left)}" '
         f'height="{n(box.bottom - box.top)}" rx="3" fill="{PAPER}" fill-opacity="0.82"/>'

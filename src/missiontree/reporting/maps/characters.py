@@ -29,7 +29,7 @@ SIGNS: dict[ThingKind, str] = {
     "robot": "®",
     "node": "+",
 }
-UNSURE, WALL, CLOSED, ROAD, SHARED = "?", "█", "░", "·", "*"
+UNSURE, WALL, CLOSED, PARTLY, ROAD, SHARED = "?", "█", "░", ":", "·", "*"
 LONGEST = 18
 _ASPECT = 2.0
 """A character is about twice as high as wide."""
@@ -88,9 +88,10 @@ class CharacterMap:
             self._signs[cell[1]][cell[0]] = sign
 
     def _ground(self, content: MapContent) -> None:
-        for shown in content.areas:
-            if shown.role == "keep_out" and shown.area.floor == self._panel.floor:
-                self._fill(Polygon(shown.area.corners))
+        closed = [shown for shown in content.areas if shown.role == "keep_out"]
+        for shown in sorted(closed, key=lambda shown: shown.closed_to is None):  # what is closed to all lies on top
+            if shown.area.floor == self._panel.floor:
+                self._fill(Polygon(shown.area.corners), CLOSED if shown.closed_to is None else PARTLY)
         if content.scene.grid is not None and content.scene.grid.floor == self._panel.floor:
             self._walls(content.scene.grid)
         for road in content.roads:
@@ -98,10 +99,10 @@ class CharacterMap:
                 for cell in self._between((road.start.x_m, road.start.y_m), (road.end.x_m, road.end.y_m)):
                     self._put(cell, ROAD)
 
-    def _fill(self, polygon: Polygon) -> None:
+    def _fill(self, polygon: Polygon, sign: str) -> None:
         for cell, point in self._middles():
             if polygon.covers(point):
-                self._put(cell, CLOSED)
+                self._put(cell, sign)
 
     def _walls(self, grid: OccupancyGrid) -> None:
         """A character is wall if any blocked cell has its middle in it, or it has its own in a blocked cell."""
@@ -162,7 +163,7 @@ class CharacterMap:
 
     @staticmethod
     def _sign(thing: Thing) -> str:
-        return SIGNS[thing.kind] if thing.sure or thing.kind == "lift" else UNSURE
+        return SIGNS[thing.kind] if thing.sure else UNSURE
 
     def _name(self, cell: tuple[int, int], name: str) -> None:
         """A name beside its sign, or below or above, where nothing with a name is."""

@@ -14,6 +14,8 @@ from missiontree.reporting.maps.things import Thing
 NEAR = 13.0
 """In units of the picture."""
 MOST_MARKS = 400
+MOST_STOPS = 150
+"""Things that routes touch: if there are more, their names would find no room, and their marks would hide the places."""
 
 
 @dataclass(slots=True)
@@ -47,6 +49,12 @@ class Cluster:
 
     plain: bool = False
     """Whether it is drawn as a dot, since there are too many."""
+
+    @property
+    def passed(self) -> bool:
+        """Whether robots only come by: there is no place that helps people to find their way, no start, and nobody who is missed."""
+        landmark = any(thing.kind in {"place", "lift"} or not thing.sure for thing in self.things)
+        return bool(self.stops) and not self.starts and not landmark
 
     @property
     def weight(self) -> int:
@@ -91,11 +99,14 @@ def clusters_of(things: Iterable[Thing], routes: Sequence[Route], layout: MapLay
 
 
 def _thinned(clusters: list[Cluster]) -> list[Cluster]:
-    """Where there are more than can be told apart, those that no route touches become dots, plain places first."""
+    """Where there are more than can be told apart, they become dots: those that no route touches, plain places first; then things."""
     for least in (2, 1):
         if sum(not cluster.plain for cluster in clusters) > MOST_MARKS:
             for cluster in clusters:
                 cluster.plain |= cluster.weight >= least
+    if sum(cluster.passed for cluster in clusters) > MOST_STOPS:
+        for cluster in clusters:
+            cluster.plain |= cluster.passed
     return clusters
 
 

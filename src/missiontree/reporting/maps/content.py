@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from missiontree.estimation.travel import start_of
+from missiontree.mission.area import KeepOut
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.plan import Plan
 from missiontree.mission.scene import Scene
-from missiontree.mission.ways import RoadGraph
+from missiontree.mission.ways import Road, RoadGraph
 from missiontree.reporting.maps.things import KINDS, MapContent, Missing, ShownArea, ShownRoad, Thing, ThingKind
 
 
@@ -20,11 +21,12 @@ def content_of(plan: Plan) -> MapContent:
     things = (
         *(place for entity in scene.places if (place := _standing(entity, scene)) is not None),
         *(_lift_stops(scene.roads, scene) if scene.roads is not None else ()),
+        *(_ramp_ends(scene.roads, scene) if scene.roads is not None else ()),
         *entities,
         *_starts(plan.brief.fleet, scene),
         *(_nodes(scene.roads, scene) if scene.roads is not None else ()),
     )
-    areas = tuple(_areas(scene))
+    areas = tuple(_areas(scene, plan.brief.fleet))
     roads = tuple(_roads(scene.roads, scene) if scene.roads is not None else ())
     floors = [thing.spot.floor for thing in things] + [area.area.floor for area in areas]
     floors = [*([scene.grid.floor] if scene.grid is not None else ()), *floors]
@@ -84,7 +86,19 @@ def _lift_stops(graph: RoadGraph, scene: Scene) -> Iterator[Thing]:
             leads = f"to {', '.join(floors)}" if floors else ""
             label = f"{lift.id} {leads}" if leads else lift.id
             label += ", out of order" if lift.blocked else ""
-            yield Thing(lift.id, label, "lift", stop, _listed(["lift", *rules]), not lift.blocked)
+            yield Thing(lift.id, label, "lift", stop, _listed(["lift", *rules]))
+
+
+def _ramp_ends(graph: RoadGraph, scene: Scene) -> Iterator[Thing]:
+    """The ends of roads from floor to floor, which no panel can show as a line."""
+    for road in graph.roads:
+        first, second = (scene.road_points[name] for name in road.ends)
+        if first.floor != second.floor:
+            name, shut = f"ramp {' - '.join(road.ends)}", ", blocked" if road.blocked else ""
+            back = "from" if road.one_way else "to"
+            note = _listed([name, *_rules(road)])
+            yield Thing(name, f"ramp to {second.floor}{shut}", "lift", first, note)
+            yield Thing(name, f"ramp {back} {first.floor}{shut}", "lift", second, note)
 
 
 def _nodes(graph: RoadGraph, scene: Scene) -> Iterator[Thing]:
@@ -96,27 +110,37 @@ def _roads(graph: RoadGraph, scene: Scene) -> Iterator[ShownRoad]:
     for road in graph.roads:
         start, end = (scene.road_points[name] for name in road.ends)
         if start.floor == end.floor:
-            rules = [
-                "one-way" if road.one_way else "",
-                "blocked" if road.blocked else "",
-                f"{road.length_m:g} m long" if road.length_m is not None else "",
-                _only(road.types),
-                f"through zone {road.zone}" if road.zone is not None else "",
-            ]
-            note = _listed([f"road {road.ends[0]} - {road.ends[1]}", *rules])
+            note = _listed([f"road {' - '.join(road.ends)}", *_rules(road)])
             yield ShownRoad(start, end, road.one_way, road.blocked, road.types is not None, note)
 
 
-def _areas(scene: Scene) -> Iterator[ShownArea]:
+def _rules(road: Road) -> Iterator[str]:
+    """What holds on a road, in words; some may be empty."""
+    yield "one-way" if road.one_way else ""
+    yield "blocked" if road.blocked else ""
+    yield f"{road.length_m:g} m long" if road.length_m is not None else ""
+    yield _only(road.types)
+    yield f"through zone {road.zone}" if road.zone is not None else ""
+
+
+def _areas(scene: Scene, fleet: Fleet) -> Iterator[ShownArea]:
     for zone in scene.zones:
         if zone.area is not None:
             yield ShownArea(zone.id, "zone", zone.area, f"zone {zone.id}")
     for keep_out in scene.keep_outs:
         note = _listed([f"keep-out {keep_out.id}", _only(keep_out.types, "for ")])
-        yield ShownArea(keep_out.id, "keep_out", keep_out.area, note)
+        yield ShownArea(keep_out.id, "keep_out", keep_out.area, note, _closed_to(keep_out, fleet))
     for entity in scene.all_entities:
         if entity.search_area is not None and scene.whereabouts(entity).source != "known":
             yield ShownArea(entity.label, "search_area", entity.search_area, f"{entity.label} may be anywhere in here")
+
+
+def _closed_to(keep_out: KeepOut, fleet: Fleet) -> tuple[str, ...] | None:
+    """Labels of the robot types of the fleet that a keep-out holds for; None if that is all of them."""
+    if keep_out.types is None:
+        return None
+    closed = [kind.label for kind in fleet.types if kind.id in keep_out.types]
+    return None if len(closed) == len(fleet.types) else tuple(closed)
 
 
 def _only(types: Iterable[str] | None, lead: str = "only for ") -> str:

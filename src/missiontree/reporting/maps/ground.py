@@ -8,6 +8,7 @@ from itertools import pairwise
 
 from missiontree.mission.ways import OccupancyGrid
 from missiontree.reporting.escape import xml_safe
+from missiontree.reporting.maps.boxes import Box
 from missiontree.reporting.maps.layout import MapLayout
 from missiontree.reporting.maps.things import MapContent, ShownArea, ShownRoad
 from missiontree.reporting.maps.walls import walls
@@ -19,6 +20,8 @@ Point = tuple[float, float]
 ROAD = 7.0
 WALL = "#9aa1ab"
 ROAD_FILL = "#e3e6ea"
+CLOSED_TO_SOME = f'fill="{RED}" fill-opacity="0.04" stroke="{RED}" stroke-width="1.2" stroke-dasharray="9 3 2 3"'
+"""A keep-out that some robots cross has no hatches: those say that nobody is ever in there."""
 _HATCH = 8.0
 _MOST_HATCH = 400
 _ARROW_EVERY = 110.0
@@ -34,8 +37,11 @@ def ground(content: MapContent, layout: MapLayout, floor: str) -> Iterator[str]:
             if shown.role == role and shown.area.floor == floor:
                 yield from _area(shown, layout)
     roads = [road for road in content.roads if road.start.floor == floor]
-    for road in roads:
-        yield from _road(road, layout)
+    if roads:
+        yield f'<g fill="none" stroke="{ROAD_FILL}" stroke-width="{n(ROAD)}" stroke-linecap="round">'
+        for road in roads:
+            yield from _road(road, layout)
+        yield "</g>"
     for road in roads:
         yield from _rules(road, layout)
     for shown in content.areas:
@@ -57,6 +63,8 @@ def _area(shown: ShownArea, layout: MapLayout) -> Iterator[str]:
         yield f'<path d="{outline}" fill="{BLUE}" fill-opacity="0.05" stroke="{BLUE}" stroke-opacity="0.45" stroke-dasharray="7 4"/>'
     elif shown.role == "search_area":
         yield f'<path d="{outline}" fill="{VIOLET}" fill-opacity="0.05" stroke="{VIOLET}" stroke-width="1.3" stroke-dasharray="4 3"/>'
+    elif shown.closed_to is not None:
+        yield f'<path d="{outline}" {CLOSED_TO_SOME}/>'
     else:
         yield f'<path d="{outline}" fill="{RED}" fill-opacity="0.06" stroke="{RED}" stroke-width="1.2"/>'
         strokes = " ".join(f"M{n(ax)} {n(ay)} L{n(bx)} {n(by)}" for (ax, ay), (bx, by) in hatch(corners))
@@ -90,20 +98,33 @@ def hatch(corners: Sequence[Point]) -> list[tuple[Point, Point]]:
     return lines
 
 
-def _walls(grid: OccupancyGrid, layout: MapLayout) -> Iterator[str]:
-    drawn = walls(grid, layout.scale)
+def wall_boxes(grid: OccupancyGrid, layout: MapLayout) -> list[Box]:
+    """The walls of a grid as rectangles of the picture."""
+    drawn, free = walls(grid, layout.scale), _extent(grid, layout)
+    size = drawn.cell_m * layout.scale
+    corners = ((free.left + rect.column * size, free.top + rect.row * size, rect) for rect in drawn.rects)
+    return [
+        Box(x, y, min(x + rect.columns * size, free.right), min(y + rect.rows * size, free.bottom))
+        for x, y, rect in corners
+    ]
+
+
+def _extent(grid: OccupancyGrid, layout: MapLayout) -> Box:
     left, top = layout.at(grid.x_m, grid.y_m + len(grid.rows) * grid.cell_m, grid.floor) or (0.0, 0.0)
     width, height = (side * grid.cell_m * layout.scale for side in (len(grid.rows[0]), len(grid.rows)))
-    size = drawn.cell_m * layout.scale
+    return Box(left, top, left + width, top + height)
+
+
+def _walls(grid: OccupancyGrid, layout: MapLayout) -> Iterator[str]:
+    free = _extent(grid, layout)
     yield (
-        f'<rect class="mt-map-free" x="{n(left)}" y="{n(top)}" width="{n(width)}" height="{n(height)}" fill="{PAPER}" stroke="{QUIET}" '
-        'stroke-width="0.8"/>'
+        f'<rect class="mt-map-free" x="{n(free.left)}" y="{n(free.top)}" width="{n(free.right - free.left)}" '
+        f'height="{n(free.bottom - free.top)}" fill="{PAPER}" stroke="{QUIET}" stroke-width="0.8"/>'
     )
-    path = []
-    for rect in drawn.rects:
-        x, y = left + rect.column * size, top + rect.row * size
-        right, bottom = min(x + rect.columns * size, left + width), min(y + rect.rows * size, top + height)
-        path.append(f"M{n(x)} {n(y)}H{n(right)}V{n(bottom)}H{n(x)}z")
+    path = [
+        f"M{n(wall.left)} {n(wall.top)}H{n(wall.right)}V{n(wall.bottom)}H{n(wall.left)}z"
+        for wall in wall_boxes(grid, layout)
+    ]
     if path:
         yield f'<path class="mt-map-wall" d="{"".join(path)}" fill="{WALL}"><title>walls</title></path>'
 
@@ -112,11 +133,8 @@ def _road(road: ShownRoad, layout: MapLayout) -> Iterator[str]:
     start, end = layout.point(road.start), layout.point(road.end)
     if start is None or end is None:
         return
-    line = f'd="M{n(start[0])} {n(start[1])} L{n(end[0])} {n(end[1])}"'
-    yield (
-        f'<path class="mt-map-road" {line} fill="none" stroke="{ROAD_FILL}" stroke-width="{n(ROAD)}" stroke-linecap="round">'
-        f"<title>{xml_safe(road.note)}</title></path>"
-    )
+    line = f"M{n(start[0])} {n(start[1])} L{n(end[0])} {n(end[1])}"
+    yield f'<path class="mt-map-road" d="{line}"><title>{xml_safe(road.note)}</title></path>'
 
 
 def _rules(road: ShownRoad, layout: MapLayout) -> Iterator[str]:

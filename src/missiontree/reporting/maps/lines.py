@@ -67,8 +67,10 @@ class DrawnRoutes:
             yield f'<g class="mt-map-route mt-hue-{route.livery.number}" data-letter="{route.letter}">'
             for index in parts:
                 yield from route_line(self._lines[index], route, _title(route, self._parts[index][1]))
-            for index in parts:
-                yield from _arrows(owner, self._lines[index], route, arrows)
+            heads = "".join(head for index in parts for head in _arrows(owner, self._lines[index], arrows))
+            if heads:
+                colours = f'fill="{route.livery.hue.fill}" stroke="{PAPER}"'
+                yield f'<path class="mt-fill" d="{heads}" {colours} stroke-width="0.9"/>'
             yield "</g>"
 
 
@@ -103,18 +105,17 @@ def _by_floor(passage: Passage, layout: MapLayout) -> Iterator[tuple[str, list[P
         yield floor, points
 
 
-def _arrows(owner: int, line: Sequence[Point], route: Route, drawn: set[tuple[int, int, int, int]]) -> Iterator[str]:
+def _arrows(owner: int, line: Sequence[Point], drawn: set[tuple[int, int, int, int]]) -> Iterator[str]:
     """Heads along a line, past the middle of a stretch, so that those of the way back stand elsewhere."""
     for x, y, ux, uy in _heads(line, owner % _STAGGERED * _STAGGER):
         key = (owner, round(x / 5), round(y / 5), round(math.atan2(uy, ux)))
         if key in drawn:
             continue
         drawn.add(key)
-        back, side = (x - _HEAD * ux, y - _HEAD * uy), (-uy * _HEAD * 0.85, ux * _HEAD * 0.85)
-        tip = (x + _HEAD * ux, y + _HEAD * uy)
+        back, side = (-2 * _HEAD * ux, -2 * _HEAD * uy), (-uy * _HEAD * 0.85, ux * _HEAD * 0.85)
         yield (
-            f'<path class="mt-fill" d="M{n(tip[0])} {n(tip[1])} L{n(back[0] + side[0])} {n(back[1] + side[1])} '
-            f'L{n(back[0] - side[0])} {n(back[1] - side[1])} z" fill="{route.livery.hue.fill}" stroke="{PAPER}" stroke-width="0.9"/>'
+            f"M{n(x + _HEAD * ux)} {n(y + _HEAD * uy)}l{n(back[0] + side[0])} {n(back[1] + side[1])} "
+            f"{n(-2 * side[0])} {n(-2 * side[1])}z"
         )
 
 

@@ -121,8 +121,7 @@ def pill(text: str, x: float, y: float, livery: Livery, title: str) -> Iterator[
     )
 
 
-def dot(x: float, y: float) -> str:
-    """Something that has no mark of its own, since another is too near."""
-    return (
-        f'<circle class="mt-map-dot" cx="{n(x)}" cy="{n(y)}" r="2.2" fill="{INK}" stroke="{HAIR}" stroke-width="0.8"/>'
-    )
+def dot(x: float, y: float, title: str = "") -> str:
+    """Something that has no mark of its own, since others are too near; the title is said when it is pointed at."""
+    said = f"><title>{xml_safe(title)}</title></circle>" if title else "/>"
+    return f'<circle class="mt-map-dot" cx="{n(x)}" cy="{n(y)}" r="2.2" fill="{INK}" stroke="{HAIR}" stroke-width="0.8"{said}'

@@ -6,10 +6,10 @@ from collections.abc import Generator, Iterator, Sequence
 
 from missiontree.reporting.escape import xml_safe
 from missiontree.reporting.maps.area_names import area_name
-from missiontree.reporting.maps.boxes import Box
+from missiontree.reporting.maps.boxes import STEP, Box
 from missiontree.reporting.maps.cards import card_of, draw_card, name_of
 from missiontree.reporting.maps.clusters import Cluster
-from missiontree.reporting.maps.ground import corners_of, ground
+from missiontree.reporting.maps.ground import corners_of, ground, wall_boxes
 from missiontree.reporting.maps.labels import Ground
 from missiontree.reporting.maps.layout import TITLE, MapLayout, Panel
 from missiontree.reporting.maps.lines import DrawnRoutes
@@ -25,7 +25,9 @@ CROWDED = 60
 """From so many marks on, plain places get no label that needs a line to it."""
 MOST_NODES = 40
 """Up to so many road nodes are named."""
+MOST_WALLS = 2000
 _NEAR = 8.0
+_DOT, _WALL = 0.5, 0.15
 _ANYWHERE = 200.0
 
 
@@ -48,8 +50,10 @@ class DrawnPanel:
         self._clusters = [cluster for cluster in clusters if cluster.floor == panel.floor]
         self.left_out = 0
         """Labels that found no room."""
-        self.dots = sum(max(1, len(cluster.things)) for cluster in self._clusters if cluster.plain)
-        """Things that are drawn as dots."""
+        self.dots = sum(max(1, len(one.things)) for one in self._clusters if one.plain and not one.passed)
+        """Things that are drawn as dots and that no route touches."""
+        self.passed = sum(max(1, len(one.things)) for one in self._clusters if one.plain and one.passed)
+        """Things that are drawn as dots though routes touch them."""
         self._labels = list(self._placed())
 
     def draw(self) -> Iterator[str]:
@@ -67,10 +71,12 @@ class DrawnPanel:
         )
         yield from ground(self._content, self._layout, panel.floor)
         yield from self._routes.draw(panel.floor)
-        yield from _dots([cluster for cluster in self._clusters if cluster.plain])
+        yield from _dots([cluster for cluster in self._clusters if cluster.plain and not cluster.passed])
         for cluster in self._clusters:
             if not cluster.plain:
                 yield from _marks(cluster)
+            elif cluster.passed:
+                yield dot(cluster.x, cluster.y, "; ".join(_told(cluster)))
         yield from self._labels
         yield "</g>"
 
@@ -110,6 +116,8 @@ class DrawnPanel:
         for cluster in self._clusters:
             if not cluster.plain:
                 labels.mark(_box(cluster))
+            elif cluster.passed:
+                labels.discourage(((cluster.x, cluster.y), (cluster.x, cluster.y)), _DOT)
         for line in self._routes.on(panel.floor):
             labels.discourage(line, 0.5)
         for road in self._content.roads:
@@ -120,6 +128,9 @@ class DrawnPanel:
             if shown.area.floor == panel.floor:
                 corners = corners_of(shown, self._layout)
                 labels.discourage((*corners, corners[0]), 0.1)
+        grid = self._content.scene.grid
+        if grid is not None and grid.floor == panel.floor:
+            _off_walls(labels, wall_boxes(grid, self._layout))
         return labels
 
     def _label(self, labels: Ground, cluster: Cluster, *, short: bool = False) -> Generator[str, None, bool]:
@@ -132,10 +143,19 @@ class DrawnPanel:
         return True
 
 
+def _off_walls(labels: Ground, found: Sequence[Box]) -> None:
+    """Keep labels off walls, as far as they can be told apart: a wall that is covered looks like an open way."""
+    for wall in found if len(found) <= MOST_WALLS else ():
+        rows = max(1, round((wall.bottom - wall.top) / STEP))
+        for row in range(rows):
+            y = wall.top + (row + 0.5) * (wall.bottom - wall.top) / rows
+            labels.discourage(((wall.left, y), (wall.right, y)), _WALL)
+
+
 def _box(cluster: Cluster) -> Box:
     """The mark of a cluster, its question mark included."""
     radius = mark_radius(cluster.things[0].kind) if cluster.things else mark_radius("robot")
-    asks = 5.0 if cluster.things and not cluster.things[0].sure and cluster.things[0].kind != "lift" else 0.0
+    asks = 5.0 if cluster.things and not cluster.things[0].sure else 0.0
     if asks:
         radius = mark_radius("robot")
     return Box(cluster.x - radius, cluster.y - radius - asks / 2, cluster.x + radius + asks, cluster.y + radius)
@@ -157,7 +177,7 @@ def _marks(cluster: Cluster) -> Iterator[str]:
     yield f'<g class="mt-map-mark"><title>{xml_safe(title)}</title>'
     if cluster.things:
         thing = cluster.things[0]
-        yield from mark(thing.kind, cluster.x, cluster.y, sure=thing.sure or thing.kind == "lift")
+        yield from mark(thing.kind, cluster.x, cluster.y, sure=thing.sure)
     elif cluster.starts:
         yield from mark("robot", cluster.x, cluster.y)
     else:

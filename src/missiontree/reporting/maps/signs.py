@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from missiontree.reporting.escape import xml_safe
-from missiontree.reporting.maps.ground import ROAD, ROAD_FILL, WALL, chevron, hatch
+from missiontree.reporting.maps.ground import CLOSED_TO_SOME, ROAD, ROAD_FILL, WALL, chevron, hatch
 from missiontree.reporting.maps.marks import mark
 from missiontree.reporting.maps.things import KINDS, MapContent, ThingKind
 from missiontree.reporting.palette import BLUE, INK, PAPER, QUIET, RED, VIOLET
@@ -34,7 +34,7 @@ class Entry:
 def entries_of(content: MapContent, floors: Sequence[str]) -> list[Entry]:
     """The signs that the floors shown have, in a fixed order."""
     things = [thing for thing in content.things if thing.spot.floor in floors]
-    kinds = {thing.kind for thing in things if thing.sure or thing.kind == "lift"}
+    kinds = {thing.kind for thing in things if thing.sure}
     areas = {shown.role for shown in content.areas if shown.area.floor in floors}
     roads = [road for road in content.roads if road.start.floor in floors]
     words = {
@@ -42,18 +42,21 @@ def entries_of(content: MapContent, floors: Sequence[str]) -> list[Entry]:
         "animal": "animal",
         "object": "thing",
         "robot": "robot, at its start",
-        "lift": "lift",
+        "lift": content.floor_words,
         "place": "place",
     }
     found = [Entry(_mark_sign(kind), words[kind]) for kind in KINDS if kind in kinds and kind in words]
-    if any(not thing.sure and thing.kind != "lift" for thing in things):
+    if any(not thing.sure for thing in things):
         found.append(Entry(_unsure, "position unknown, planned here"))
     if "search_area" in areas:
         found.append(Entry(_frame(VIOLET, "4 3"), "search area"))
     if "zone" in areas:
         found.append(Entry(_frame(BLUE, "7 4"), "zone"))
-    if "keep_out" in areas:
+    closed = [shown for shown in content.areas if shown.role == "keep_out" and shown.area.floor in floors]
+    if any(shown.closed_to is None for shown in closed):
         found.append(Entry(_keep_out, "keep-out"))
+    if any(shown.closed_to is not None for shown in closed):
+        found.append(Entry(_closed_to_some, "closed to some robot types"))
     if content.scene.grid is not None and content.scene.grid.floor in floors:
         found.append(Entry(_wall, "wall"))
     if any(road.one_way and not road.blocked for road in roads):
@@ -105,6 +108,10 @@ def _keep_out(x: float, y: float) -> Iterator[str]:
     strokes = " ".join(f"M{n(ax)} {n(ay)} L{n(bx)} {n(by)}" for (ax, ay), (bx, by) in hatch(corners))
     yield f'<rect x="{n(x)}" y="{n(y - 6)}" width="22" height="12" fill="{RED}" fill-opacity="0.06" stroke="{RED}" stroke-width="1.2"/>'
     yield f'<path d="{strokes}" fill="none" stroke="{RED}" stroke-opacity="0.55" stroke-width="0.9"/>'
+
+
+def _closed_to_some(x: float, y: float) -> Iterator[str]:
+    yield f'<rect x="{n(x)}" y="{n(y - 6)}" width="22" height="12" {CLOSED_TO_SOME}/>'
 
 
 def _wall(x: float, y: float) -> Iterator[str]:

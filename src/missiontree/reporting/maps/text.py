@@ -10,12 +10,12 @@ from rich.text import Text
 
 from missiontree.mission.plan import Plan
 from missiontree.reporting.escape import one_line
-from missiontree.reporting.maps.characters import CLOSED, ROAD, SHARED, SIGNS, UNSURE, WALL, CharacterMap
+from missiontree.reporting.maps.characters import CLOSED, PARTLY, ROAD, SHARED, SIGNS, UNSURE, WALL, CharacterMap
 from missiontree.reporting.maps.content import content_of
 from missiontree.reporting.maps.layout import MapLayout, layout_of
 from missiontree.reporting.maps.legend import metres_walked
 from missiontree.reporting.maps.routes import Route, routes_of
-from missiontree.reporting.maps.stops import called, stops_of
+from missiontree.reporting.maps.stops import called, length_of, stops_of
 from missiontree.reporting.maps.things import MapContent
 from missiontree.reporting.references import refuse_dangling
 
@@ -70,10 +70,13 @@ def _parts(content: MapContent, layout: MapLayout, routes: Sequence[Route], widt
 def _key(content: MapContent, routes: Sequence[Route]) -> list[str]:
     """What the characters mean, those that occur."""
     kinds = {thing.kind: "" for thing in content.things if thing.kind != "node"}
-    words = [f"{SIGNS[kind]} {'thing' if kind == 'object' else kind}" for kind in SIGNS if kind in kinds]
+    names = {"object": "thing", "lift": content.floor_words}
+    words = [f"{SIGNS[kind]} {names.get(kind, kind)}" for kind in SIGNS if kind in kinds]
     words += [f"{UNSURE} position unknown, planned here"] if any(not thing.sure for thing in content.things) else []
     words += [f"{WALL} wall"] if content.scene.grid is not None else []
-    words += [f"{CLOSED} keep-out"] if any(shown.role == "keep_out" for shown in content.areas) else []
+    closed = [shown for shown in content.areas if shown.role == "keep_out"]
+    words += [f"{CLOSED} keep-out"] if any(shown.closed_to is None for shown in closed) else []
+    words += [f"{PARTLY} {one_line(shown.label)}: {shown.closed_words}" for shown in closed if shown.closed_words]
     words += [f"{ROAD} road"] if content.roads else []
     letters = [route.letter.lower() for route in routes if route.distance_m and len(route.letter) == 1]
     if letters:
@@ -100,11 +103,12 @@ def _itineraries(routes: Sequence[Route], content: MapContent) -> Table:
     table = Table.grid(padding=(0, 2, 0, 0))
     table.add_column(no_wrap=True)
     table.add_column()
+    length_s = length_of(routes)
     for route in routes[:MOST_ROWS]:
         start = f"from {called(None, route.start, content)}: " if route.start is not None else "start not known: "
-        far = f" ({metres_walked(route.distance_m)})" if route.distance_m else ""
+        far = f"; {metres_walked(route.distance_m)} in all" if route.distance_m else ""
         name = Text.assemble((route.letter, "bold cyan"), " ", one_line(route.robot))
-        table.add_row(name, Text(f"{start}{', '.join(stops_of(route, content))}{far}"))
+        table.add_row(name, Text(f"{start}{', '.join(stops_of(route, content, length_s))}{far}"))
     if len(routes) > MOST_ROWS:
         table.add_row("", Text(f"and {len(routes) - MOST_ROWS} robots more", style="dim"))
     return table

@@ -8,6 +8,7 @@ from typing import Literal
 from missiontree.mission.area import Area
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
+from missiontree.reporting.escape import one_line
 
 ThingKind = Literal["place", "person", "animal", "object", "robot", "lift", "node"]
 KINDS: tuple[ThingKind, ...] = ("place", "lift", "person", "animal", "object", "robot", "node")
@@ -80,12 +81,22 @@ class ShownArea:
         Its extent.
     note
         For those who point at it.
+    closed_to
+        Labels of the only robot types that a keep-out holds for; None (default): it is closed to all of the fleet.
     """
 
     label: str
     role: Literal["zone", "keep_out", "search_area"]
     area: Area
     note: str
+    closed_to: tuple[str, ...] | None = None
+
+    @property
+    def closed_words(self) -> str:
+        """For whom a keep-out holds that does not hold for all; empty if it does."""
+        if self.closed_to is None:
+            return ""
+        return f"closed to {', '.join(map(one_line, self.closed_to)) or 'nobody'}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,3 +151,11 @@ class MapContent:
     areas: tuple[ShownArea, ...]
     roads: tuple[ShownRoad, ...]
     floors: tuple[str, ...]
+
+    @property
+    def floor_words(self) -> str:
+        """What signs of kind ``lift`` stand for: lifts, and perhaps roads from floor to floor."""
+        roads = self.scene.roads.roads if self.scene.roads is not None else ()
+        points = self.scene.road_points
+        ends = ([points[name].floor for name in road.ends] for road in roads)
+        return "lift or ramp" if any(first != second for first, second in ends) else "lift"

@@ -15,7 +15,7 @@ from missiontree.reporting.maps.missing import SIDE, side_box
 from missiontree.reporting.maps.panel import DrawnPanel
 from missiontree.reporting.maps.routes import Route, routes_of
 from missiontree.reporting.maps.signs import entries, entries_of
-from missiontree.reporting.maps.stops import stops_of
+from missiontree.reporting.maps.stops import length_of, stops_of
 from missiontree.reporting.maps.things import MapContent
 from missiontree.reporting.palette import MUTED
 from missiontree.reporting.references import refuse_dangling
@@ -104,7 +104,8 @@ def _foot(
         lines.append(f'<text class="mt-muted" x="{n(x)}" y="{n(top + 10)}" fill="{MUTED}">{remark}</text>')
         top += 20
     if routes:
-        key, height = routes_key(routes, lambda route: stops_of(route, content), x, top, width - 2 * x)
+        length_s = length_of(routes)
+        key, height = routes_key(routes, lambda route: stops_of(route, content, length_s), x, top, width - 2 * x)
         lines += key
         top += height
     return lines, top + MARGIN - 4 - y
@@ -113,9 +114,12 @@ def _foot(
 def _remarks(panels: Sequence[DrawnPanel]) -> list[str]:
     """What is not shown as it might be."""
     dots, left_out = sum(panel.dots for panel in panels), sum(panel.left_out for panel in panels)
+    passed = sum(panel.passed for panel in panels)
     remarks = []
     if dots:
         remarks.append(f"{dots:,} things that no route touches are dots without a name.")
+    if passed:
+        remarks.append(f"{passed:,} things at which robots stop are small dots; their names would find no room.")
     if left_out:
         remarks.append(f"{left_out:,} {'label was' if left_out == 1 else 'labels were'} left out for want of room.")
     return remarks
@@ -132,5 +136,6 @@ def _described(content: MapContent, routes: Sequence[Route]) -> str:
         (len(content.floors), "floors"),
     )
     shown = ", ".join(f"{what}: {count}" for count, what in counts if count)
-    ways = [f"{route.letter} is {route.robot}: {', '.join(stops_of(route, content))}." for route in routes[:8]]
+    length_s = length_of(routes)
+    ways = [f"{one.letter} is {one.robot}: {', '.join(stops_of(one, content, length_s))}." for one in routes[:8]]
     return " ".join([f"{shown}.", *ways])

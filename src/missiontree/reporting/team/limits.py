@@ -24,7 +24,7 @@ class LimitUse:
     Parameters
     ----------
     who
-        Robot, or all robots of a type together.
+        Robot, all robots of a type together, or the whole mission.
     name
         The limit, its unit in the name.
     used, allowed
@@ -47,7 +47,7 @@ class LimitUse:
 
 def limits_of(plan: Plan, alternative: Alternative, schedule: Schedule | None) -> tuple[LimitUse, ...]:
     """
-    Limits that an alternative uses, in the order of the fleet.
+    Limits that an alternative uses, in the order of the fleet, and at last those of the whole mission.
 
     By its schedule, if it has one: what its robots do and every metre they travel. Else by the witness of allocation, robot by robot. Else
     all robots of a type together, against the sum of what they have. Limits that nothing uses are left out.
@@ -60,10 +60,12 @@ def limits_of(plan: Plan, alternative: Alternative, schedule: Schedule | None) -
         Its schedule; None if it has none.
     """
     if schedule is not None:
-        return tuple(_by_robot(plan, _scheduled(plan, schedule), at_least=False))
+        used = _scheduled(plan, schedule)
+        return (*_by_robot(plan, used, at_least=False), *_of_mission(plan, used, at_least=False))
     robots = {assignment.role: assignment.robot for assignment in alternative.witness}
     used = _promised(plan, alternative, robots)
-    return tuple(_by_robot(plan, used, at_least=True) if robots else _by_type(plan, used))
+    told = _by_robot(plan, used, at_least=True) if robots else _by_type(plan, used)
+    return (*told, *_of_mission(plan, used, at_least=True))
 
 
 def _scheduled(plan: Plan, schedule: Schedule) -> Use:
@@ -117,6 +119,17 @@ def _totals(kind: RobotType, used: Mapping[str, float], at_least: bool) -> Itera
     for name, allowed in kind.total_limits.items():
         if used[name] > 0:
             yield LimitUse(_all(kind), name, used[name], allowed, at_least)
+
+
+def _of_mission(plan: Plan, used: Use, *, at_least: bool) -> Iterator[LimitUse]:
+    for who, limits in (
+        ("the whole mission", plan.brief.fleet.total_limits),
+        ("stock of the scene", plan.brief.world.stock),
+    ):
+        for name, allowed in limits.items():
+            amount = sum(taken for (_, what), taken in used.items() if what == name)
+            if amount > 0:
+                yield LimitUse(who, name, amount, allowed, at_least)
 
 
 def _sum(used: Use, robots: Sequence[str], name: str) -> float:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from missiontree.reporting.palette import Livery
-from missiontree.reporting.text_box import text_width, wrapped
+from missiontree.reporting.text_box import balanced, text_width, wrapped
 from missiontree.reporting.tree.shape import ShapeKind, ShapeNode
 
 SIZE, NOTE_SIZE = 13.0, 11.0
@@ -120,8 +120,8 @@ def _ungainly(card: Card) -> float:
 
 
 def _card(node: ShapeNode, room: float) -> Card:
-    lines = tuple(wrapped(node.label, SIZE, room, MOST_LINES))
-    note = tuple(wrapped(words, NOTE_SIZE, room, MOST_LINES)) if (words := note_of(node)) else ()
+    lines = tuple(balanced(node.label, SIZE, room, MOST_LINES))
+    note = tuple(balanced(words, NOTE_SIZE, room, MOST_LINES)) if (words := note_of(node)) else ()
     bare = Card(lines, note, 0.0, 0.0, node.kind == "task", tuple(_tags(node)))
     parts = list(_extents(bare))
     width, height = max(half for half, _, _ in parts) * 2, bare.text_height

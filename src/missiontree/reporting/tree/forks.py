@@ -17,6 +17,8 @@ from missiontree.reporting.tree.rows import FRAME_PADDING, Rows, half_width
 from missiontree.reporting.tree.shape import Shape
 
 UNMARKED = 4.0
+MOST_ALIGNED = 30.0
+"""Marks of a row stand on one line, but none further below its box than this."""
 STEEPNESS, LEAST_DROP, MOST_DROP = 0.09, 26.0, 110.0
 """How far edges go down, in shares of how far they go aside, and its bounds."""
 
@@ -117,6 +119,7 @@ def forks_of(shape: Shape, rows: Rows, cards: Sequence[Card]) -> list[Fork]:
 
 def _fork(shape: Shape, rows: Rows, cards: Sequence[Card], node: int, has_marks: bool) -> Fork:
     x, bottom = rows.x[node], rows.bottoms[rows.level[node]]
+    foot = (x, rows.y[node] + cards[node].height / 2)
     at = (x, bottom + (MARK_BELOW + MARK_HEIGHT if has_marks else UNMARKED))
     ends = [child for child in shape.children[node] if not _follows(rows.blocks, child)]
     branches = tuple(_branch(rows, cards, child, at) for child in ends)
@@ -126,8 +129,8 @@ def _fork(shape: Shape, rows: Rows, cards: Sequence[Card], node: int, has_marks:
         node=node,
         gate=gate,
         is_marked=is_marked(shape, node),
-        foot=(x, rows.y[node] + cards[node].height / 2),
-        mark_top=bottom + MARK_BELOW,
+        foot=foot,
+        mark_top=(bottom if bottom - foot[1] <= MOST_ALIGNED else foot[1]) + MARK_BELOW,
         at=at,
         branches=branches,
         ways=len({rows.blocks.of[branch.child] for branch in branches}),

@@ -71,6 +71,7 @@ def tidy_layout(
     gap: float,
     framed: Collection[int] = (),
     padding: float = 0.0,
+    straight: float = 0.0,
 ) -> Layout:
     """
     Lay a tree out, in time and memory linear in its nodes.
@@ -90,6 +91,9 @@ def tidy_layout(
         Nodes whose subtrees are kept apart from everything else as whole rectangles; none within another.
     padding
         Room between a framed subtree and its frame.
+    straight
+        A child that would stand no further from below its parent than this stands exactly below it, for an edge without a kink;
+        those at the nearer side give way. Default 0: none.
     """
     contours: dict[int, _Contour] = {}
     offsets = [0.0] * len(widths)
@@ -97,7 +101,7 @@ def tidy_layout(
     inside = frozenset(framed)
     for node in reversed(range(len(widths))):
         below = children[node]
-        for child, offset in zip(below, _spread([contours[child] for child in below], gap), strict=True):
+        for child, offset in zip(below, _spread([contours[child] for child in below], gap, straight), strict=True):
             offsets[child] = offset
         contour = _merged([(contours.pop(child), offsets[child]) for child in below])
         contour.left.append(-widths[node] / 2 - contour.shift)
@@ -108,7 +112,7 @@ def tidy_layout(
     return _placed(children, offsets, contours[0], spans)
 
 
-def _spread(contours: Sequence[_Contour], gap: float) -> list[float]:
+def _spread(contours: Sequence[_Contour], gap: float, straight: float) -> list[float]:
     """Where siblings stand relative to their parent."""
     if len(contours) < 2:
         return [0.0] * len(contours)
@@ -122,9 +126,21 @@ def _spread(contours: Sequence[_Contour], gap: float) -> list[float]:
         gap,
     )
     other = [packed[-1] - place for place in reversed(mirrored)]
-    places = [(one + two) / 2 for one, two in zip(packed, other, strict=True)]
+    places = _straightened([(one + two) / 2 for one, two in zip(packed, other, strict=True)], straight)
     middle = (places[0] + places[-1]) / 2
     return [place - middle for place in places]
+
+
+def _straightened(places: list[float], straight: float) -> list[float]:
+    """Siblings moved outward at one side, so that one that stands nearly in the middle of all stands there."""
+    middle = (places[0] + places[-1]) / 2
+    inner = [(at, place - middle) for at, place in enumerate(places)][1:-1]
+    near, aside = min(inner, key=lambda one: abs(one[1]), default=(0, 0.0))
+    if not 0 < abs(aside) <= straight:
+        return places
+    if aside < 0:
+        return [place + 2 * aside if at < near else place for at, place in enumerate(places)]
+    return [place + 2 * aside if at > near else place for at, place in enumerate(places)]
 
 
 def _packed(lefts: Sequence[Sequence[float]], rights: Sequence[Sequence[float]], gap: float) -> list[float]:

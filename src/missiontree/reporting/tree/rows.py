@@ -13,6 +13,8 @@ from missiontree.reporting.tree.shape import Shape
 
 MARGIN = 26.0
 SIBLING_GAP, FRAME_PADDING = 30.0, 10.0
+STRAIGHT = 30.0
+"""Edges do not go aside by so little: it would look like a mistake."""
 STACK_GAP = 15.0
 LEAST_ROW, LEAST_GAP = 30.0, 27.0
 """No row is lower, no two are closer to each other."""
@@ -98,7 +100,7 @@ def lay_out(shape: Shape, cards: Sequence[Card], blocks: Blocks) -> Layout:
             children.append([])
             widths.append(widths[block])
     framed = [blocks.of[node] for node in shape.frames]
-    return tidy_layout(children, widths, SIBLING_GAP, framed, FRAME_PADDING)
+    return tidy_layout(children, widths, SIBLING_GAP, framed, FRAME_PADDING, STRAIGHT)
 
 
 def reach_of(block: int, blocks: Blocks, cards: Sequence[Card]) -> int:
