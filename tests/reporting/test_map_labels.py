@@ -54,6 +54,19 @@ def test_no_label_covers_a_label_a_mark_or_a_leader_and_none_is_outside(case: tu
             assert not any(box.meets(other.mark) for box in [one.box] for other in wishes)
 
 
+def test_a_leader_keeps_its_whole_width_off_other_labels() -> None:
+    """The third label goes far off, and its leader would graze the labels of the first and the fourth."""
+    wishes = [
+        Wish(spot(0, 55), 10, 14, 0, 8.0),
+        Wish(spot(26, 0), 10, 14, 0, 8.0),
+        Wish(spot(0, 0), 10, 14, 1, 200.0),
+        Wish(spot(16, 0), 10, 14, 0, 8.0),
+    ]
+    shown = [one for one in settle(page([wish.mark for wish in wishes]), wishes) if one is not None]
+    for first, second in combinations(shown, 2):
+        assert not any(a.meets(b) for a in first.covers() for b in second.covers())
+
+
 @settings(max_examples=10)
 @given(labelled())
 def test_equal_wishes_are_settled_equally(case: tuple[Ground, list[Wish]]) -> None:

@@ -64,7 +64,12 @@ class Placed:
         yield self.box
         if self.leader is not None:
             for x, y in steps(*self.leader):
-                yield Box(x - 2, y - 2, x + 2, y + 2)
+                yield _stroke(x, y)
+
+
+def _stroke(x: float, y: float) -> Box:
+    """What a leader takes at one of its points."""
+    return Box(x - 2, y - 2, x + 2, y + 2)
 
 
 class Ground:
@@ -167,9 +172,9 @@ class Ground:
     def _clear(self, start: Point, end: Point, mark: Box) -> bool:
         """Whether a leader crosses nothing that is taken."""
         for x, y in steps(start, end):
-            for other in self._taken.get(cell_of(x, y), ()):
-                if other != mark and other.left - 1 < x < other.right + 1 and other.top - 1 < y < other.bottom + 1:
-                    return False
+            box = _stroke(x, y)
+            if any(box.meets(other) for cell in cells(box) for other in self._taken.get(cell, ()) if other != mark):
+                return False
         return True
 
 
