@@ -205,14 +205,17 @@ def test_a_required_robot_is_handed_a_role(allocator: str) -> None:
 
 def test_more_robots_required_than_there_are_roles_is_impossible() -> None:
     ranking = ranked("exact", loads(0), named("p", "q"), Terms(require=("p", "q")))
-    assert (ranking.status, ranking.reasons[0].rule) == ("infeasible", "required_idle")
-    assert "p and q must take part" in ranking.reasons[0].message
+    assert (ranking.status, ranking.examined) == ("infeasible", 0)
+    (reason,) = ranking.reasons
+    assert (reason.rule, reason.found, reason.needed) == ("required_idle", "1 role", "at least 2 roles")
+    assert reason.message == "The mission requires p and q, and robots of type r fill 1 role at most."
 
 
 def test_a_required_robot_that_is_too_weak_for_every_load_is_told() -> None:
     """Loads of 4 J; p has 3."""
     ranking = ranked("exact", loads(4, 4), named("p", "q", energy=(3, 9)), Terms(require=("p",)))
     assert (ranking.status, ranking.reasons[0].rule) == ("infeasible", "required_idle")
+    assert "p must take part" in ranking.reasons[0].message
 
 
 def test_a_required_type_with_nothing_to_do_is_told_before_the_search() -> None:
@@ -220,7 +223,30 @@ def test_a_required_type_with_nothing_to_do_is_told_before_the_search() -> None:
     ranking = ranked("exact", TWO, fleet, Terms(require=("c",)))
     assert (ranking.status, ranking.examined) == ("infeasible", 0)
     assert ranking.reasons[0].message == "The mission requires type c, and no robot of type c fills a role."
-    assert possible_nodes(flatten(TWO, fleet, Weights(), Terms(require=("c",)))).idle == ("c",)
+    assert possible_nodes(flatten(TWO, fleet, Weights(), Terms(require=("c",)))).idle == {"c": 0}
+
+
+def test_a_requirement_far_below_the_best_is_proven_all_the_same() -> None:
+    """
+    Of 20 tasks one must go to d, at 0.1 instead of 1.0: 20 ways of 19.1 share the first rank.
+
+    Above them stand more than 400,000 ways without d (nine tasks or fewer by b, the others by a), which a search that only looks at
+    candidates in order would have to refuse one by one.
+    """
+    tasks = (
+        xor_(
+            *(leaf(f"{place} {name}", name, role=f"{place}", quality=good) for name, good in QUALITIES),
+            label=f"{place}",
+        )
+        for place in range(20)
+    )
+    ranking = ranked("exact", grounded(and_(*tasks)), trivial_fleet("abcd"), Terms(require=("d",)), k=4)
+    assert (ranking.status, utilities(ranking)) == ("exact", [19.1] * 4)
+    assert ranking.examined < 100
+    assert [alternative.certificate.claim for alternative in ranking.alternatives] == ["proven"] * 4
+
+
+QUALITIES = (("a", 1.0), ("b", 0.9), ("c", 0.85), ("d", 0.1))
 
 
 def test_a_refusal_names_the_robot_that_was_required() -> None:

@@ -126,6 +126,8 @@ def core_of(flat: Flat, possible: Sequence[bool], purses: Purses) -> Core:
         elif len(below) == 1:
             bundles[node] = bundles.pop(below[0][1])
         else:
+            for _, child in below if purses.turnouts else ():
+                bundles[child].uses.update(purses.of_choice(node, child))
             options = [Option(_part(core, bundles.pop(child)), node, place, child) for place, child in below]
             bundles[node] = _Bundle(0, {}, [core.add(options=tuple(options))])
     core.end_at(_part(core, bundles[0]))

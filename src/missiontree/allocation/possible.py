@@ -4,7 +4,7 @@ Which nodes can be done at all, by one sweep from the leaves up.
 An XOR needs a possible child, an AND needs all of them. On top of that, what a node uses *at least*, whatever is chosen below
 it, must not exceed what there is: a sum at an AND, a minimum over the possible children at an XOR. The least use is kept per
 type, per role (which one robot fills), over all types that are limited, and for the mission; it never refuses a node that some
-feasible alternative selects. And where a type that must take part has nothing to do anywhere, the mission is impossible.
+feasible alternative selects. And where a type that must take part finds too few roles whatever is chosen, the mission is impossible.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from missiontree.allocation.flat import AMOUNT_SCALE, Flat
+from missiontree.allocation.turnout import turnouts
 from missiontree.allocation.wording import Holder, of_all_robots, of_one_robot, of_the_mission, of_types, type_idle
 from missiontree.mission.reason import Reason, Severity
 
@@ -44,12 +45,12 @@ class Possibility:
     excesses
         Nodes refused because of budgets, children before parents.
     idle
-        Types that must take part and have nothing to do anywhere.
+        Types that must take part and find too few roles, with how many they find at most.
     """
 
     possible: Sequence[bool]
     excesses: list[Excess] = field(default_factory=list)
-    idle: tuple[str, ...] = ()
+    idle: Mapping[str, int] = field(default_factory=dict)
 
 
 def structurally_possible(flat: Flat) -> list[bool]:
@@ -92,11 +93,10 @@ def possible_nodes(flat: Flat) -> Possibility:
 
 
 def _with_required(flat: Flat, found: Possibility) -> Possibility:
-    """Nothing is possible if a type that must take part has no possible action."""
-    if not flat.required:
+    """Nothing is possible if a type that must take part finds too few roles, whatever is chosen."""
+    if not flat.required or not found.possible[0]:
         return found
-    there = {type_id for type_id, possible in zip(flat.robot_type, found.possible, strict=True) if possible}
-    idle = tuple(type_id for type_id in flat.required if type_id not in there)
+    idle = {turnout.type_id: turnout.most[0] for turnout in turnouts(flat, found.possible) if turnout.spare < 0}
     return replace(found, possible=[False] * len(flat.kind), idle=idle) if idle else found
 
 
@@ -168,7 +168,8 @@ class _Limits:
 def reasons_of(flat: Flat, possibility: Possibility, severity: Severity, limit: int = 8) -> tuple[Reason, ...]:
     """Who must take part in vain, and the refusals nearest to the root in words, one per budget and type."""
     said: dict[tuple[str, str], Reason] = {
-        (type_id, ""): type_idle(type_id, flat.required[type_id], severity) for type_id in possibility.idle
+        (type_id, ""): type_idle(type_id, flat.required[type_id], severity, roles)
+        for type_id, roles in possibility.idle.items()
     }
     for excess in reversed(possibility.excesses):
         type_id, _, name = excess.purse

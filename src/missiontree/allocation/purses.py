@@ -3,20 +3,23 @@ The pooled budgets that can be broken at all, in the smallest whole units.
 
 What all robots of a type together may use of a budget is a purse, and so is what all robots of the mission may use. One that no way
 through the tree can overdraw is left out, so a generous fleet leaves no purse; whether each single robot keeps its own limit is
-decided elsewhere, see :mod:`feasibility`.
+decided elsewhere, see :mod:`feasibility`. That a type must take part is kept in a purse as well: what choices fall short of the most
+roles that it could fill, see :mod:`turnout`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import pairwise
 from math import gcd
 
 from missiontree.allocation.flat import Flat, Purse
+from missiontree.allocation.turnout import Turnout, turnouts
 
 Uses = tuple[tuple[int, int], ...]  # (index of the purse, amount), amounts above 0
+TAKING_PART = ""
+"""Stands in a purse for what a required type falls short of, where other purses name a budget."""
 
 
 @dataclass(frozen=True)
@@ -27,52 +30,34 @@ class Purses:
     Parameters
     ----------
     names
-        Robot type (empty: all robots of the mission) and budget of each purse, in order.
+        Robot type (empty: all robots of the mission) and budget (empty: it must take part) of each purse, in order.
     limits
         What each holds, in its own unit.
     units
-        Billionths in the unit of each: the greatest that divides every use, so that amounts stay small.
+        Billionths in the unit of each: the greatest that divides every use, so that amounts stay small. For roles: 1.
+    turnouts
+        Of required types, in the order of their purses, which stand last. Default none.
     """
 
     names: tuple[Purse, ...]
     limits: tuple[int, ...]
     units: tuple[int, ...]
+    turnouts: tuple[Turnout, ...] = field(default=(), repr=False)
 
     @cached_property
     def _index(self) -> dict[Purse, int]:
         return {name: index for index, name in enumerate(self.names)}
-
-    @cached_property
-    def shifts(self) -> tuple[int, ...]:
-        """Where each purse stands in a packed amount, with room for the sum of two amounts and a bit to tell that it is too much."""
-        ends = [0]
-        for limit in self.limits:
-            ends.append(ends[-1] + limit.bit_length() + 2)
-        return tuple(ends)
-
-    @cached_property
-    def guard(self) -> int:
-        """The bits that are set in ``packed + slack`` if and only if some purse is overdrawn."""
-        return sum(1 << (end - 1) for end in self.shifts[1:])
-
-    @cached_property
-    def slack(self) -> int:
-        """What lifts an amount above its limit into the guard bit."""
-        pairs = zip(pairwise(self.shifts), self.limits, strict=True)
-        return sum(((1 << (end - begin - 1)) - 1 - limit) << begin for (begin, end), limit in pairs)
 
     def of_leaf(self, flat: Flat, leaf: int) -> Uses:
         """What the leaf takes from which purse: its type's, the mission's, or both."""
         found = ((self._index.get(purse, -1), amount) for purse, amount in flat.charges(leaf))
         return tuple((index, amount // self.units[index]) for index, amount in found if index >= 0)
 
-    def packed(self, uses: Uses) -> int:
-        """All amounts in one number; the sum of two packed amounts within the limits is the packed sum."""
-        return sum(amount << self.shifts[index] for index, amount in uses)
-
-    def unpacked(self, packed: int) -> list[int]:
-        """The amount of every purse."""
-        return [(packed >> begin) & ((1 << (end - begin)) - 1) for begin, end in pairwise(self.shifts)]
+    def of_choice(self, xor: int, child: int) -> Uses:
+        """What taking the child of an XOR takes from which purse, beside what is below it."""
+        first = len(self.names) - len(self.turnouts)
+        found = ((index, turnout.shortfall(xor, child)) for index, turnout in enumerate(self.turnouts, start=first))
+        return tuple((index, amount) for index, amount in found if amount)
 
 
 def purses_of(flat: Flat, possible: Sequence[bool]) -> Purses:
@@ -86,10 +71,12 @@ def purses_of(flat: Flat, possible: Sequence[bool]) -> Purses:
             for purse, amount in flat.charges(node) if uses else ():
                 if purse in units:
                     units[purse] = gcd(units[purse], amount)
+    doubtful = tuple(turnout for turnout in turnouts(flat, possible) if not turnout.certain)
     return Purses(
-        names=tuple(binding),
-        limits=tuple(limit // units[purse] for purse, limit in binding.items()),
-        units=tuple(units.values()),
+        names=(*binding, *((turnout.type_id, TAKING_PART) for turnout in doubtful)),
+        limits=(*(limit // units[purse] for purse, limit in binding.items()), *(turnout.spare for turnout in doubtful)),
+        units=(*units.values(), *(1 for _ in doubtful)),
+        turnouts=doubtful,
     )
 
 

@@ -55,18 +55,41 @@ def of_the_mission(name: str, shared: Shared) -> Holder:
     return Holder("all robots of the mission together", remedy)
 
 
-def type_idle(type_id: str, named: Sequence[str], severity: Severity = "error") -> Reason:
-    """That a type which must take part fills no role; ``named``: the type, or robots of it, as the operator requires them."""
+def type_idle(type_id: str, named: Sequence[str], severity: Severity = "error", roles: int = 0) -> Reason:
+    """
+    That a type which must take part fills no role, or fewer than it must.
+
+    Parameters
+    ----------
+    type_id
+        The type.
+    named
+        The type, or robots of it, as the operator requires them.
+    severity
+        Of the reason.
+    roles
+        How many roles it could fill at most. Default none.
+    """
     names = " and ".join(f"type {name}" if name == type_id else name for name in named)
+    wanted = max(1, len({name for name in named if name != type_id}))
+    fills = (
+        f"robots of type {type_id} fill {_counted(roles)} at most"
+        if roles
+        else f"no robot of type {type_id} fills a role"
+    )
     return Reason(
         rule="required_idle",
         severity=severity,
-        message=f"The mission requires {names}, and no robot of type {type_id} fills a role.",
+        message=f"The mission requires {names}, and {fills}.",
         robot=type_id,
-        found="no role",
-        needed="at least one role",
+        found=_counted(roles),
+        needed=f"at least {'one role' if wanted == 1 else f'{wanted} roles'}",
         hint=f"Take {' and '.join(named)} off 'require' of the mission, or ask for something that type {type_id} can do.",
     )
+
+
+def _counted(roles: int) -> str:
+    return "no role" if not roles else "1 role" if roles == 1 else f"{roles} roles"
 
 
 def _of_total(type_id: str, name: str) -> Holder:
