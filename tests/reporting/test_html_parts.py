@@ -287,6 +287,13 @@ def test_a_refused_call_is_told_with_the_answer_it_got() -> None:
     assert refused.answer
 
 
+def test_a_dialogue_in_which_nothing_was_said_is_not_told() -> None:
+    """Its header alone: words that were not understood led to no call."""
+    transcript = planned(SITE).provenance.transcript
+    assert dialogue(transcript) is not None
+    assert dialogue(transcript[:1]) is None
+
+
 @pytest.mark.parametrize("lines", [(), ("not JSON",), ('{"format": "transcript/1"}',)])
 def test_no_dialogue_and_a_damaged_one_are_not_told(lines: tuple[str, ...]) -> None:
     assert dialogue(lines) is None

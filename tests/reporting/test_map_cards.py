@@ -12,7 +12,8 @@ from missiontree.reporting.maps.cards import MOST_NAMES, Card, card_of
 from missiontree.reporting.maps.clusters import Cluster, clusters_of
 from missiontree.reporting.maps.content import content_of
 from missiontree.reporting.maps.layout import layout_of
-from missiontree.reporting.maps.routes import routes_of
+from missiontree.reporting.maps.routes import Route, routes_of
+from missiontree.reporting.maps.things import MapContent, Thing
 from tests.reporting.map_plans import Doing, by_hand, place, unplanned, walker
 
 FAR = place("far", 100, 0)
@@ -95,3 +96,27 @@ def both(name: str) -> Scene:
     return Scene(
         places=(place("a", 0, 0, label=name),), entities=(Entity(id="b", label=name, position=Position(50, 0)),)
     )
+
+
+def test_robots_only_come_by_where_nobody_would_look_for_the_way() -> None:
+    """Neither a place, nor a lift, nor a start, nor somebody who is missed."""
+    content, (route,) = crossed()
+    stop = route.stops[0]
+
+    def passed(*things: Thing, starts: bool = False) -> bool:
+        return Cluster("ground", 0, 0, list(things), [route] if starts else [], [(route, stop)]).passed
+
+    box = Thing("box", "box", "object", Position(0, 0))
+    assert passed(box)
+    assert not passed(box, starts=True)
+    assert not passed(box, next(thing for thing in content.things if thing.kind == "place"))
+    assert not passed(Thing("lift", "lift", "lift", Position(0, 0)))
+    assert not passed(Thing("Mia", "Mia", "person", Position(0, 0), sure=False))
+    assert not Cluster("ground", 0, 0, [box]).passed  # no robot comes by at all
+
+
+def crossed() -> tuple[MapContent, list[Route]]:
+    scene = Scene(places=(place("a", 0, 0), FAR))
+    made = by_hand(scene, Fleet((walker(place="a"),)), [Doing("walker-1", 0, 9, "a")])
+    content = content_of(made)
+    return content, routes_of(made, 1, content.scene)[0]

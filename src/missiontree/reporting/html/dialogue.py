@@ -57,7 +57,7 @@ class Dialogue:
 
 
 def dialogue(lines: Sequence[str]) -> Dialogue | None:
-    """A transcript in short; None if there is none, or it cannot be read."""
+    """A transcript in short; None if there is none, it cannot be read, or nothing was said."""
     try:
         recording = read_recording(lines) if lines else None
     except InputError:
@@ -66,6 +66,8 @@ def dialogue(lines: Sequence[str]) -> Dialogue | None:
         return None
     calls = list(_calls(recording))
     turns = sum(isinstance(entry, Message) and entry.speaker == "assistant" for _, entry in recording.entries)
+    if not turns and not calls:
+        return None
     refused = sum(not called.ok for called in calls)
     return Dialogue(turns, refused, tuple(calls[:MOST_CALLS]), max(0, len(calls) - MOST_CALLS))
 

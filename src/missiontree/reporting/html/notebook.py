@@ -13,7 +13,7 @@ from missiontree.reporting.html.facts import headline
 from missiontree.reporting.html.inlined import Picture, inlined
 from missiontree.reporting.html.page import filled
 from missiontree.reporting.html.remarks import remarks
-from missiontree.reporting.html.soundness import refuse_damaged
+from missiontree.reporting.references import refuse_damaged
 from missiontree.reporting.text import best_scheduled
 from missiontree.reporting.tree.view import tree_svg
 

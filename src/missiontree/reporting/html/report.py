@@ -17,9 +17,9 @@ from missiontree.reporting.html.page import filled, resource
 from missiontree.reporting.html.policy import policy
 from missiontree.reporting.html.remarks import remarks
 from missiontree.reporting.html.sections import rows_of, sections_of
-from missiontree.reporting.html.soundness import refuse_damaged
 from missiontree.reporting.html.style import style_of
 from missiontree.reporting.html.ways import ways
+from missiontree.reporting.references import refuse_damaged
 from missiontree.reporting.text import best_scheduled
 from missiontree.reporting.tree.view import tree_svg
 

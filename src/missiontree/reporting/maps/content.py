@@ -12,11 +12,19 @@ from missiontree.mission.plan import Plan
 from missiontree.mission.scene import Scene
 from missiontree.mission.ways import Road, RoadGraph
 from missiontree.reporting.maps.things import KINDS, MapContent, Missing, ShownArea, ShownRoad, Thing, ThingKind
+from missiontree.reporting.references import world_of
 
 
 def content_of(plan: Plan) -> MapContent:
-    """What there is to show. Linear in scene and fleet."""
-    scene = plan.brief.world.extended(plan.tree.entities if plan.tree is not None else ())
+    """
+    What there is to show. Linear in scene and fleet.
+
+    Raises
+    ------
+    InputError
+        If an entity stands in the scene and again in the tree.
+    """
+    scene = world_of(plan)
     entities = [thing for entity in scene.entities if (thing := _standing(entity, scene)) is not None]
     things = (
         *(place for entity in scene.places if (place := _standing(entity, scene)) is not None),

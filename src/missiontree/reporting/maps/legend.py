@@ -18,7 +18,6 @@ ROW = 20.0
 LINE = 15.0
 MOST_ROUTES = 12
 MOST_LINES = 3
-_AND_MORE = 70.0
 
 
 def scale_bar(scale: float, x: float, y: float) -> Iterator[str]:
@@ -94,13 +93,14 @@ def routes_key(
 def _packed(head: str, parts: Sequence[str], width: float) -> list[str]:
     """Parts in lines of that width, none torn unless it is wider than a line; what does not fit into three lines is counted."""
     lines = [head]
+    counted = text_width(f" and {len(parts)} more", SIZE)
     for number, part in enumerate(parts):
         text = part + ("," if number + 1 < len(parts) else "")
         longer = f"{lines[-1]} {text}"
-        if text_width(longer, SIZE) <= width - (_AND_MORE if len(lines) == MOST_LINES else 0.0):
+        if text_width(longer, SIZE) <= width - (counted if len(lines) == MOST_LINES else 0.0):
             lines[-1] = longer
         elif len(lines) < MOST_LINES:
-            lines.append(wrapped(text, SIZE, width - _AND_MORE, 1)[0])
+            lines.append(wrapped(text, SIZE, width - counted, 1)[0])
         else:
             lines[-1] += f" and {len(parts) - number} more"
             break

@@ -25,7 +25,6 @@ CROWDED = 60
 """From so many marks on, plain places get no label that needs a line to it."""
 MOST_NODES = 40
 """Up to so many road nodes are named."""
-MOST_WALLS = 2000
 _NEAR = 8.0
 _DOT, _WALL = 0.5, 0.15
 _ANYWHERE = 200.0
@@ -144,8 +143,8 @@ class DrawnPanel:
 
 
 def _off_walls(labels: Ground, found: Sequence[Box]) -> None:
-    """Keep labels off walls, as far as they can be told apart: a wall that is covered looks like an open way."""
-    for wall in found if len(found) <= MOST_WALLS else ():
+    """Keep labels off walls: one that is covered looks like an open way."""
+    for wall in found:
         rows = max(1, round((wall.bottom - wall.top) / STEP))
         for row in range(rows):
             y = wall.top + (row + 0.5) * (wall.bottom - wall.top) / rows

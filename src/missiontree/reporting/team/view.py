@@ -11,7 +11,7 @@ from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule, ScheduleStatus
 from missiontree.reporting.escape import one_line
-from missiontree.reporting.references import refuse_dangling
+from missiontree.reporting.references import refuse_damaged
 from missiontree.reporting.team.limits import LimitUse, limits_of
 
 
@@ -132,9 +132,9 @@ def team_view(plan: Plan) -> TeamView | None:
     Raises
     ------
     InputError
-        If the plan points at nodes or roles that it does not hold.
+        If parts of the plan do not fit each other.
     """
-    refuse_dangling(plan)
+    refuse_damaged(plan)
     if plan.ranking is None or plan.grounding is None or not plan.ranking.alternatives:
         return None
     alternatives = plan.ranking.alternatives
