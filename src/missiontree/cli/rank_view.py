@@ -68,11 +68,17 @@ def view_of(told: Told) -> Group:
     return Group(*_sections(told))
 
 
+def _counted(noun: str, count: int) -> str:
+    several = "leaves" if noun == "leaf" else f"{noun}s"
+    return f"{count:,} {noun if count == 1 else several}"
+
+
 def _sections(told: Told) -> Iterator[RenderableType]:
     flat, ranking = told.flat, told.ranking
     found = ranking.alternatives
-    size = f"{len(flat.kind):,} nodes, {len(flat.role) - flat.role.count(-1):,} leaves"
-    yield Text(f"{size}, {_robots(flat):,} robots, {_limits(flat):,} limits", style="dim")
+    leaves = len(flat.role) - flat.role.count(-1)
+    counts = (("node", len(flat.kind)), ("leaf", leaves), ("robot", _robots(flat)), ("limit", _limits(flat)))
+    yield Text(", ".join(_counted(*count) for count in counts), style="dim")
     count = f"{len(found)} alternative{'s' if len(found) != 1 else ''}, best first" if found else "No alternative"
     yield Text(f"{count} ({STATUS[ranking.status]})", style="bold")
     if found:
