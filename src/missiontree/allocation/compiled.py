@@ -10,13 +10,9 @@ from importlib.util import find_spec
 from types import FunctionType
 from typing import Any
 
-from missiontree.allocation import branching_kernel as kernel
+from missiontree.allocation.kernel import branching, columns, mending, pricing
 
-COMPILED = (
-    "reach", "sweep", "follow", "fits", "held", "tell", "lower", "shrink",
-    "weigh", "forget", "fined", "exchange", "mend",
-    "starve", "swing", "open_pick", "is_news", "descend", "retreat", "open_bound", "branch",
-)  # fmt: skip
+SOURCES = (pricing, mending, branching)
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +23,7 @@ class Engine:
     Parameters
     ----------
     reach, sweep, lower, shrink, mend, branch, open_bound
-        As in :mod:`missiontree.allocation.branching_kernel`.
+        As in :mod:`missiontree.allocation.kernel`.
     column
         Makes a column of integers.
     fast
@@ -46,7 +42,19 @@ class Engine:
 
 
 ENTRIES = ("reach", "sweep", "lower", "shrink", "mend", "branch", "open_bound")
-PLAIN = Engine(**{name: getattr(kernel, name) for name in ENTRIES}, column=list, fast=False)
+
+
+def _functions() -> dict[str, FunctionType]:
+    """Functions of the kernel by name, each after those it calls."""
+    return {
+        name: function
+        for source in SOURCES
+        for name, function in vars(source).items()
+        if isinstance(function, FunctionType) and function.__module__ == source.__name__
+    }
+
+
+PLAIN = Engine(**{name: _functions()[name] for name in ENTRIES}, column=list, fast=False)
 
 
 def can_compile() -> bool:
@@ -68,12 +76,12 @@ def fast_engine() -> Engine:
     """
     # Imported here, for it takes a second, and only large problems need it.
     numba, np = import_module("numba"), import_module("numpy")
-    names: dict[str, Any] = {name: getattr(kernel, name) for name in dir(kernel) if name.isupper()}
-    names["__name__"] = kernel.__name__
-    for name in COMPILED:
-        function = getattr(kernel, name)
-        copy = FunctionType(function.__code__, names, name, function.__defaults__)
-        copy.__module__ = kernel.__name__
+    names: dict[str, Any] = {"__name__": __name__}
+    for source in (columns, *SOURCES):
+        names.update((name, value) for name, value in vars(source).items() if name.isupper())
+    for name, function in _functions().items():
+        copy = FunctionType(function.__code__, names, name)
+        copy.__module__ = function.__module__
         names[name] = numba.njit(cache=True)(copy)
 
     def column(values: Sequence[int]) -> Any:

@@ -14,9 +14,9 @@ from collections.abc import Sequence
 from math import log
 from typing import Literal
 
-from missiontree.allocation.branching_kernel import FINISHED, LAST, MET, PAUSED
 from missiontree.allocation.compiled import PLAIN, Engine, can_compile, fast_engine, is_compiled
 from missiontree.allocation.core import Core, Way
+from missiontree.allocation.kernel.columns import FINISHED, LAST, MET, PAUSED
 from missiontree.allocation.pool import Pool, start
 from missiontree.allocation.purses import Purses
 from missiontree.allocation.searched import Scale, Searched, scale_of

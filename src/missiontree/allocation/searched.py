@@ -12,10 +12,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import gcd
 from random import Random
+from typing import Any
 
-from missiontree.allocation.branching_kernel import DEPTH, MARGIN, NEG, NODES, PICK, SUM, TRAIL, Room, Tree
 from missiontree.allocation.compiled import Engine
 from missiontree.allocation.core import Core, Way, narrowed
+from missiontree.allocation.kernel.columns import DEPTH, MARGIN, NEG, NODES, PICK, SUM, TRAIL, Room, Tree
 from missiontree.allocation.purses import Purses
 
 SHIFT = 20  # bits behind the point of a scaled utility
@@ -139,7 +140,7 @@ class Searched:
         return narrowed(self.core, kept)
 
     def branch(self, target: int, steps: int, in_order: bool, nodes: int) -> int:
-        """See :func:`missiontree.allocation.branching_kernel.branch`; the target is scaled."""
+        """See :func:`missiontree.allocation.kernel.branching.branch`; the target is scaled."""
         return int(self.engine.branch(self.tree, self.room, target, steps, in_order, nodes))
 
     def bound(self, above: int) -> int:
@@ -222,8 +223,8 @@ def _room(tree: Tree, engine: Engine, prices: Sequence[int], deep: bool) -> Room
     parts, edges, purses = len(tree.kind), len(tree.below), len(tree.limits)
     depth = edges + 1 if deep else 0  # every frame takes an edge away
 
-    def blank(length: int, value: int = 0) -> list[int]:
-        return engine.column([value] * length)  # type: ignore[no-any-return]
+    def blank(length: int, value: int = 0) -> Any:
+        return engine.column([value] * length)
 
     known = list(prices) or [0] * purses
     capped = [min(price, cap) for price, cap in zip(known, tree.caps, strict=False)]
@@ -237,8 +238,8 @@ def _room(tree: Tree, engine: Engine, prices: Sequence[int], deep: bool) -> Room
         outside=blank(parts),
         seen=blank(parts),
         active=blank(parts),
-        stack=blank(parts + 1),
-        other_stack=blank(parts + 1),
+        way=blank(parts),
+        other_way=blank(parts),
         used=blank(purses),
         drift=blank(purses),
         touched=blank(purses),

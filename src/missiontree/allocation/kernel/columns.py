@@ -1,0 +1,107 @@
+"""What the inner loops work on, as columns, and the numbers they share."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+SUM, PICK = 0, 1
+NEG = -(1 << 62)  # no way; every real sum is far from it
+HALF_NEG = -(1 << 61)
+
+# Places in Room.numbers, which survives from one call to the next.
+PHASE, DEPTH, NODES, TRAIL, ACTIVE, BOUND, CANDIDATE, MARGIN, TOUCHED = 0, 1, 2, 3, 4, 5, 6, 7, 8
+EVALUATE, SHRINK, BACKTRACK = 0, 1, 2
+FINISHED, MET, LAST, PAUSED = 0, 1, 2, 3
+
+
+class Tree(NamedTuple):
+    """
+    What is searched: columns over parts, children before parents; the last part is the whole mission.
+
+    The children of part p are ``below[first[p]:first[p + 1]]``. Places in ``below`` are called edges; the edges of a pick are its
+    options, in the order of choices.
+
+    Parameters
+    ----------
+    kind
+        ``SUM`` or ``PICK``; a settled part is a sum without children.
+    value
+        What a sum earns beside its children, in scaled utility.
+    first, below
+        Children.
+    use_first, use_purse, use_amount
+        What a sum takes from the purses beside its children: entries ``use_first[p]`` to ``use_first[p + 1]``.
+    limits
+        What each purse holds.
+    caps
+        No price is higher, so that no product of prices and amounts leaves 63 bits.
+    priority
+        Of each pick: the higher, the earlier in the order of choices.
+    marks
+        By edge, a number of 60 bits that looks random.
+    """
+
+    kind: list[int]
+    value: list[int]
+    first: list[int]
+    below: list[int]
+    use_first: list[int]
+    use_purse: list[int]
+    use_amount: list[int]
+    limits: list[int]
+    caps: list[int]
+    priority: list[int]
+    marks: list[int]
+
+
+class Room(NamedTuple):
+    """
+    Where the search works; all of it is changed in place.
+
+    Parameters
+    ----------
+    alive
+        By edge: 1 while an option is left. 1 for all other edges.
+    prices, trial
+        By purse: the best prices known, and those being tried.
+    most, taken
+        By part: the most it earns after prices; by pick: the edge taken for it.
+    candidate
+        By pick: the edges of the way that is told.
+    outside
+        By part: the most that the rest of a way through it earns.
+    seen, active, way, other_way, used, drift, touched, listed
+        Scratch.
+    frame_edge, frame_open, frame_trail, frame_bound, frame_prices
+        By depth: the option taken first, whether the others are still to be searched, the trail before, a bound, the prices.
+    trail
+        Edges in the order in which they were taken away.
+    remembered
+        Fingerprints of ways that were told.
+    numbers
+        Counters; see the constants above.
+    """
+
+    alive: list[int]
+    prices: list[int]
+    trial: list[int]
+    most: list[int]
+    taken: list[int]
+    candidate: list[int]
+    outside: list[int]
+    seen: list[int]
+    active: list[int]
+    way: list[int]
+    other_way: list[int]
+    used: list[int]
+    drift: list[int]
+    touched: list[int]
+    listed: list[int]
+    frame_edge: list[int]
+    frame_open: list[int]
+    frame_trail: list[int]
+    frame_bound: list[int]
+    frame_prices: list[int]
+    trail: list[int]
+    remembered: list[int]
+    numbers: list[int]

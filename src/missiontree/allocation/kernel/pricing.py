@@ -1,0 +1,215 @@
+"""What every part earns after prices, the bound that this proves, and what the bound rules out."""
+
+from __future__ import annotations
+
+from missiontree.allocation.kernel.columns import ACTIVE, HALF_NEG, MARGIN, NEG, PICK, TRAIL, Room, Tree
+
+DRIFT_BITS = 20  # behind the point of a purse's drift
+ROOT_IDLE = 10  # steps without progress before strides are halved, where there is no target; elsewhere 3
+KEPT = 4  # eighths of the drift that each step keeps
+
+
+def reach(tree: Tree, room: Room) -> int:
+    """List the parts that some way of the options left may reach, in ascending order; how many there are."""
+    kind, first, below = tree.kind, tree.first, tree.below
+    alive, seen, active = room.alive, room.seen, room.active
+    parts = len(kind)
+    for part in range(parts):
+        seen[part] = 0
+    seen[parts - 1] = 1
+    for part in range(parts - 1, -1, -1):
+        if seen[part]:
+            for edge in range(first[part], first[part + 1]):
+                if kind[part] != PICK or alive[edge]:
+                    seen[below[edge]] = 1
+    count = 0
+    for part in range(parts):
+        if seen[part]:
+            active[count] = part
+            count += 1
+    room.numbers[ACTIVE] = count
+    return count
+
+
+def sweep(tree: Tree, room: Room, prices: list[int]) -> int:
+    """What every active part earns at most after prices, and the edge that each pick takes for it; that of the whole."""
+    kind, value, first, below = tree.kind, tree.value, tree.first, tree.below
+    use_first, use_purse, use_amount = tree.use_first, tree.use_purse, tree.use_amount
+    alive, most, taken, active = room.alive, room.most, room.taken, room.active
+    for place in range(room.numbers[ACTIVE]):
+        part = active[place]
+        if kind[part] == PICK:
+            best, at = NEG, -1
+            for edge in range(first[part], first[part + 1]):
+                if alive[edge] and most[below[edge]] > best:
+                    best = most[below[edge]]
+                    at = edge
+            most[part] = best
+            taken[part] = at
+        else:
+            earned = value[part]
+            for entry in range(use_first[part], use_first[part + 1]):
+                earned -= prices[use_purse[entry]] * use_amount[entry]
+            for edge in range(first[part], first[part + 1]):
+                if most[below[edge]] < HALF_NEG:
+                    earned = NEG
+                    break
+                earned += most[below[edge]]
+            most[part] = earned
+    return most[len(kind) - 1]
+
+
+def walk(tree: Tree, taken: list[int], top: int, way: list[int]) -> int:
+    """List the parts of the way below a part on which every pick takes that edge, from the top down; how many there are."""
+    kind, first, below = tree.kind, tree.first, tree.below
+    way[0] = top
+    count, place = 1, 0
+    while place < count:
+        part = way[place]
+        place += 1
+        if kind[part] == PICK:
+            way[count] = below[taken[part]]
+            count += 1
+        else:
+            for edge in range(first[part], first[part + 1]):
+                way[count] = below[edge]
+                count += 1
+    return count
+
+
+def follow(tree: Tree, room: Room) -> int:
+    """Scaled utility of the way that the picks take; what it uses is left in ``used``."""
+    value, use_first, use_purse, use_amount = tree.value, tree.use_first, tree.use_purse, tree.use_amount
+    way, used = room.way, room.used
+    for purse in range(len(used)):
+        used[purse] = 0
+    earned = 0
+    for place in range(walk(tree, room.taken, len(value) - 1, way)):
+        part = way[place]
+        earned += value[part]
+        for entry in range(use_first[part], use_first[part + 1]):
+            used[use_purse[entry]] += use_amount[entry]
+    return earned
+
+
+def fits(tree: Tree, room: Room) -> bool:
+    """Whether every purse suffices for what is used."""
+    limits, used = tree.limits, room.used
+    for purse in range(len(limits)):
+        if used[purse] > limits[purse]:
+            return False
+    return True
+
+
+def held(tree: Tree, prices: list[int]) -> int:
+    """The price of all that the purses hold."""
+    limits = tree.limits
+    total = 0
+    for purse in range(len(limits)):
+        total += prices[purse] * limits[purse]
+    return total
+
+
+def tell(tree: Tree, room: Room) -> None:
+    """Make the way that the picks take the candidate."""
+    active, taken, candidate = room.active, room.taken, room.candidate
+    for place in range(room.numbers[ACTIVE]):
+        candidate[active[place]] = taken[active[place]]
+
+
+def lower(tree: Tree, room: Room, steps: int, target: int, aim: float) -> tuple[int, int]:
+    """
+    Look for prices with a low bound, by subgradient steps (Polyak, "Minimization of unsmooth functionals", 1969).
+
+    Starts from ``prices`` and leaves the best there. A step aims a margin below the target, or, if ``aim`` is above 0, at that share of
+    the bound below it; it goes along what is lacking in the purses, smoothed over the last steps. Below the target it
+    stops. Returns the best bound, and the scaled utility of the best way met that keeps the purses, which becomes the candidate;
+    ``NEG`` if there is none.
+    """
+    limits, caps, prices, trial, used = tree.limits, tree.caps, room.prices, room.trial, room.used
+    drift = room.drift
+    purses = len(limits)
+    for purse in range(purses):
+        trial[purse] = prices[purse]
+    best, found = -NEG, NEG
+    stride, idle, fresh = 1.0, 0, True
+    for _ in range(steps):
+        top = sweep(tree, room, trial)
+        if top < HALF_NEG:
+            return NEG, found
+        bound = top + held(tree, trial)
+        earned = follow(tree, room)
+        if earned > found and fits(tree, room):
+            found = earned
+            tell(tree, room)
+        if bound < best:
+            idle = idle + 1 if best < -NEG and 1000 * float(best - bound) < float(best - target) else 0
+            best = bound
+            for purse in range(purses):
+                prices[purse] = trial[purse]
+        else:
+            idle += 1
+        if best < target:
+            break
+        if idle >= (ROOT_IDLE if aim > 0.0 else 3):
+            stride /= 2
+            idle = 0
+            if stride < 0.01:
+                break
+            for purse in range(purses):
+                trial[purse] = prices[purse]
+            fresh = True
+            continue
+        length, last = 0.0, 0.0
+        for purse in range(purses):
+            over = ((used[purse] - limits[purse]) << DRIFT_BITS) // max(1, limits[purse])
+            if over <= 0 and trial[purse] == 0:
+                over = 0
+            last += abs(float(over))
+            drift[purse] = over if fresh else (drift[purse] * KEPT + over * (8 - KEPT)) // 8
+            length += float(drift[purse]) * float(drift[purse])
+        fresh = False
+        if last == 0.0 or length == 0.0:
+            break
+        gap = aim * abs(float(bound)) if aim > 0.0 else float(bound - target + room.numbers[MARGIN])
+        step = stride * gap / length * float(1 << DRIFT_BITS)
+        for purse in range(purses):
+            holds = float(max(1, limits[purse]))
+            moved = float(trial[purse]) + step * float(drift[purse]) / holds
+            trial[purse] = min(caps[purse], int(max(0.0, min(moved, 4e18))))
+    return best, found
+
+
+def shrink(tree: Tree, room: Room, target: int) -> int:
+    """
+    Take away every option through which no way reaches the target; the bound.
+
+    What the rest of a way earns beside a part is found on the way down; an option is kept if that and its own most reach the target.
+    """
+    kind, first, below = tree.kind, tree.first, tree.below
+    alive, most, outside, active, trail = room.alive, room.most, room.outside, room.active, room.trail
+    top = sweep(tree, room, room.prices)
+    if top < HALF_NEG:
+        return NEG
+    count, length, hold = room.numbers[ACTIVE], room.numbers[TRAIL], held(tree, room.prices)
+    for place in range(count):
+        outside[active[place]] = NEG
+    outside[active[count - 1]] = hold
+    for place in range(count - 1, -1, -1):
+        part = active[place]
+        rest = outside[part]
+        if rest < HALF_NEG:
+            continue
+        for edge in range(first[part], first[part + 1]):
+            child = below[edge]
+            if kind[part] != PICK:
+                outside[child] = rest + most[part] - most[child]
+            elif alive[edge]:
+                if most[child] < HALF_NEG or rest + most[child] < target:
+                    alive[edge] = 0
+                    trail[length] = edge
+                    length += 1
+                else:
+                    outside[child] = rest
+    room.numbers[TRAIL] = length
+    return top + hold
