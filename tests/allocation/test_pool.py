@@ -55,7 +55,7 @@ def test_the_pool_is_feasible_in_order_and_below_the_bound(case: Case) -> None:
     flat, core, purses, possible = parts(case.tree, case.fleet, case.weights)
     pool = pool_of(flat, possible, 3)
     advised = [[0] * len(core), [len(options) - 1 for options in core.options]]
-    ways = start(pool, core, purses, None, advised, [0.0] * len(purses.limits), Control())
+    ways = start(pool, core, purses, None, advised[0], advised[1:], [0.0] * len(purses.limits), Control())
     fill(pool, core, purses, ways, advised[0], Control())
     ranks = {tuple((choice.xor, choice.child) for choice in entry.choices): entry.rank for entry in truth}
     listed = [ranks[entry.selection.choices] for entry in pool.listed() if entry.verdict.answer == "yes"]
@@ -110,7 +110,7 @@ def test_two_exchanges_reach_what_one_does_not() -> None:
 def test_something_to_show_when_time_is_up() -> None:
     flat, core, purses, possible = parts(*tied_mission(30, {"a": 3}))
     pool = pool_of(flat, possible, 4)
-    ways = start(pool, core, purses, None, [cheapest(core, 0)] * 2, [0.0], Control(time_limit_s=0))
+    ways = start(pool, core, purses, None, cheapest(core, 0), [cheapest(core, 0)], [0.0], Control(time_limit_s=0))
     assert (pool.highest, len(ways)) == (27_300_000, 1)
 
 

@@ -9,8 +9,9 @@ ranks.
 from __future__ import annotations
 
 import heapq
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 from missiontree.allocation.core import Core, Way
 from missiontree.allocation.exchanges import improved, near_pairs, neighbours, repaired
@@ -128,7 +129,8 @@ def start(
     core: Core,
     purses: Purses,
     known: Way | None,
-    advised: Sequence[Sequence[int]],
+    advised: Sequence[int],
+    careful: Iterable[Sequence[int]],
     prices: Sequence[float],
     control: Control,
 ) -> list[Way]:
@@ -144,7 +146,9 @@ def start(
     known
         A way within the purses; None if none is known.
     advised
-        Options by pick, as prices advise them; the first are the best prices', the others higher and higher ones'.
+        Options by pick, as the best prices advise them.
+    careful
+        The same by higher and higher prices; drawn one by one while they are needed.
     prices
         By purse, in millionths for a unit.
     control
@@ -153,7 +157,7 @@ def start(
     found: list[tuple[int, Way]] = []
     if known is not None and pool.offer(core.taken(known)) is not None:
         found.append((core.way_under(len(core) - 1, known)[1], known))
-    for options in advised:
+    for options in chain((advised,), careful):
         if found and (control.ended() or len(core) > SMALL_CORE):
             break
         way = repaired(core, purses, options)
@@ -163,7 +167,7 @@ def start(
             pool.offer(core.taken(way))
     found.sort(key=lambda entry: -entry[0])
     if found and len(core) <= SMALL_CORE and not control.ended():
-        for way in near_pairs(core, purses, found[0][1], advised[0], prices, 2 * pool.k + PAIRED_TIES):
+        for way in near_pairs(core, purses, found[0][1], advised, prices, 2 * pool.k + PAIRED_TIES):
             pool.offer(core.taken(way))
     return [way for _, way in found]
 

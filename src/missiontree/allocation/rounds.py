@@ -29,7 +29,7 @@ SLICES = {True: 2_000, False: 10}  # nodes between two looks at the clock
 MENDING = {True: 50_000_000, False: 50_000}  # parts looked at by exchanges
 FEWEST_PASSES, MOST_PASSES = 20, 1_000
 UNAIDED = 300  # nodes without k ways found, after which cheap methods are to find some
-RAISED = (100, 102, 106, 115, 140)  # per cent of the best prices
+RAISED = (102, 106, 115, 140)  # per cent of the best prices; the higher, the more careful the advice
 GROWTH = 0.5  # of the depth of a round, while nothing is found
 DENSITY = 50  # ways sought per way found, as it were; the more, the smaller the steps
 TIES = 16  # ways beyond the k wanted, of the same utility as the last, before the order of choices is settled apart
@@ -116,19 +116,12 @@ class Rounds:
                 self.core,
                 self.purses,
                 self.base.mended(max(FEWEST_PASSES, min(MOST_PASSES, most))),
-                self.advised(),
+                self.base.advised(),
+                (self.base.advised(raised) for raised in RAISED),
                 self.base.true_prices(self.purses),
                 self.control,
             )
         return self._started
-
-    def advised(self) -> list[list[int]]:
-        """Options by pick that prices advise: the best prices, then higher and higher ones, which are more careful."""
-        found = []
-        for raised in RAISED:
-            prices = [price * raised // 100 for price in self.prices]
-            found.append(self._searched(self.core, self._engine(len(self.core)), prices, deep=False).advised())
-        return found
 
     def _round(self, wanted: int) -> Ended:
         """Find all ways with that utility, or with that of the k-th best if it is more."""

@@ -159,10 +159,11 @@ class Searched:
             return None
         return self.candidate()
 
-    def advised(self) -> list[int]:
-        """By pick, the index of the option that the prices advise."""
+    def advised(self, per_cent: int = 100) -> list[int]:
+        """By pick, the index of the option that so many per cent of the prices advise."""
         self.engine.reach(self.tree, self.room)
-        self.engine.sweep(self.tree, self.room, self.room.prices)
+        prices = self.engine.column([int(price) * per_cent // 100 for price in self.room.prices])
+        self.engine.sweep(self.tree, self.room, prices)
         taken, first = self.room.taken, self.tree.first
         return [int(taken[part]) - int(first[part]) if options else 0 for part, options in enumerate(self.core.options)]
 
