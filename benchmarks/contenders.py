@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from importlib.util import find_spec
 from pathlib import Path
 from time import perf_counter
-from typing import cast
 
 from benchmarks.peer_model import Answer
 from benchmarks.trees import instance, text_of
@@ -20,7 +19,6 @@ from missiontree.formats.importers.tree_json import columns_of, read_tree
 from missiontree.formats.reader import parse
 from missiontree.mission.columns import WEIGHTS, TreeColumns
 from missiontree.mission.control import Control
-from missiontree.mission.grounded import GroundedTree
 
 ROOT = Path(__file__).resolve().parents[1]
 GRACE_S = 120.0
@@ -65,22 +63,19 @@ def answer_of(name: str, question: Question) -> Answer:
 
 
 def _ours(name: str, question: Question) -> Answer:
-    warm = replace(question, k=2, limit_s=10.0)
-    ranked(
-        name, columns_of(parse(text_of(instance("mission", 60, 4, 1)), "warm.json")), warm
-    )  # what compiles does so here
+    small = columns_of(parse(text_of(instance("mission", 300, 6, 1)), "warm.json"))
+    ranked(name, small, replace(question, k=10, budgets=True, limit_s=60.0))  # what compiles does so here
     return ranked(name, read_tree(question.file), question)
 
 
 def ranked(name: str, columns: TreeColumns, question: Question, times: int = 1) -> Answer:
     """The answer of one of our allocators, for a tree that is loaded; of several times, the seconds of the quickest."""
     flat, fleet = flat_of_columns(columns, budgets=question.budgets), fleet_of(columns)
-    tree = cast(GroundedTree, flat)  # allocators flatten first, and what is flat stays as it is
     seconds = []
     for _ in range(times):
         control = Control(time_limit_s=question.limit_s, seed=question.seed)
         started = perf_counter()
-        ranking = ALLOCATORS[name](tree, fleet, WEIGHTS, question.k, control)
+        ranking = ALLOCATORS[name](flat, fleet, WEIGHTS, question.k, control)
         seconds.append(perf_counter() - started)
     found = ranking.alternatives
     best = found[0].certificate if found else ranking.certificate
