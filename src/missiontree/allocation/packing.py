@@ -8,6 +8,7 @@ in the same state are tried once, and states that failed are remembered, robots 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
@@ -90,9 +91,19 @@ def _packed(stock: Stock, loads: Sequence[Load], steps: int) -> Packed:
     return Packed("yes", {load.group: taken[index % len(taken)] for index, load in enumerate(loads)})
 
 
+def _scarce(stock: Stock, loads: Sequence[Load]) -> list[str]:
+    """Budgets that some robot could overdraw if it took everything; others need not be looked at."""
+    wanted: Counter[str] = Counter()
+    for load in loads:
+        wanted.update(load.uses)
+    return sorted(
+        name for name, used in wanted.items() if any(used > left[name] for left in stock.budgets if name in left)
+    )
+
+
 class _Packer:
     def __init__(self, stock: Stock, loads: Sequence[Load], steps: int) -> None:
-        self.names = sorted({name for load in loads for name in load.uses for left in stock.budgets if name in left})
+        self.names = _scarce(stock, loads)
         largest = {name: max(left.get(name, 0) for left in stock.budgets) for name in self.names}
 
         def strength(load: Load) -> tuple[float, int, int]:
