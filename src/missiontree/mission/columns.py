@@ -47,6 +47,12 @@ class TreeColumns:
         How many there are.
     budget
         What each robot may use; None if nothing limits them.
+    count
+        How many equal robots each ``robot`` stands for, at least 1; None (default) if each is a single one.
+    names
+        What people call each node; None (default) for "leaf 5" and the like.
+    robot_names
+        Id of each robot; None (default) for ``robot-0`` and so on.
     """
 
     kind: Sequence[int]
@@ -59,14 +65,19 @@ class TreeColumns:
     disjoint: Sequence[int]
     robots: int
     budget: Sequence[int] | None
+    count: Sequence[int] | None = None
+    names: Sequence[str] | None = None
+    robot_names: Sequence[str] | None = None
 
     def label(self, node: int) -> str:
         """What people call a node."""
+        if self.names is not None:
+            return self.names[node]
         return f"{_WORDS[self.kind[node]]} {node}"
 
     def robot_id(self, robot: int) -> str:
         """The type that consists of one robot."""
-        return f"robot-{robot}"
+        return f"robot-{robot}" if self.robot_names is None else self.robot_names[robot]
 
     def apart(self) -> list[tuple[int, int]]:
         """Pairs of nodes whose robots are to differ: all pairs of children of every AND in ``disjoint``."""

@@ -1,0 +1,71 @@
+"""The kernel at either speed: as it stands, or compiled by numba where that is installed (the extra ``fast``)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import import_module
+from importlib.util import find_spec
+from types import FunctionType
+from typing import Any
+
+from missiontree.scheduling.joint.kernel import shop, tabu
+
+SOURCES = (shop, tabu)
+
+
+@dataclass(frozen=True, slots=True)
+class Engine:
+    """
+    Functions of the kernel and the columns they work on.
+
+    Parameters
+    ----------
+    measure, keep, improve
+        As in :mod:`missiontree.scheduling.joint.kernel`.
+    column
+        Makes a column of integers.
+    slice
+        Iterations between two looks at the clock.
+    """
+
+    measure: Callable[..., int]
+    keep: Callable[..., None]
+    improve: Callable[..., int]
+    column: Callable[[Sequence[int]], Any]
+    slice: int
+
+
+PLAIN = Engine(shop.measure, shop.keep, tabu.improve, list, 20)
+
+
+def can_compile() -> bool:
+    """Whether numba is installed."""
+    return find_spec("numba") is not None
+
+
+@lru_cache(maxsize=1)
+def fast_engine() -> Engine:
+    """The compiled functions: compiled at the first call, and kept on disk beside the package from then on."""
+    # Imported here, for it takes a second, and only what a list schedule does not settle needs it.
+    numba, np = import_module("numba"), import_module("numpy")
+    names: dict[str, Any] = {"__name__": __name__}
+    for source in SOURCES:
+        names.update((name, value) for name, value in vars(source).items() if name.isupper())
+    for source in SOURCES:
+        for name, function in vars(source).items():
+            if isinstance(function, FunctionType) and function.__module__ == source.__name__:
+                copy = FunctionType(function.__code__, names, name)
+                copy.__module__ = function.__module__
+                names[name] = numba.njit(cache=True)(copy)
+
+    def column(values: Sequence[int]) -> Any:
+        return np.array(values if len(values) else [0], dtype=np.int64)
+
+    return Engine(names["measure"], names["keep"], names["improve"], column, 2000)
+
+
+def best_engine() -> Engine:
+    """The quickest there is."""
+    return fast_engine() if can_compile() else PLAIN
