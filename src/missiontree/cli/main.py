@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from missiontree import __version__
-from missiontree.cli import check, compare, evaluate, export, init, learn, models, plan, rank, schema, show
+from missiontree.cli import check, compare, evaluate, export, init, learn, models, plan, rank, schedule, schema, show
 from missiontree.cli.exits import Exit, guarded
 from missiontree.errors import InputError
 
@@ -35,6 +35,7 @@ app.command("init")(init.command)
 app.command("learn")(learn.command)
 app.command("models")(models.command)
 app.command("rank")(rank.command)
+app.command("schedule")(schedule.command)
 app.command("schema")(schema.command)
 
 

@@ -15,7 +15,7 @@ DOES = "act"
 
 def fleet_of(columns: TreeColumns, *, budgets: bool = True) -> Fleet:
     """
-    A type of one robot for every robot.
+    A type for every robot, of as many robots as it stands for.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def fleet_of(columns: TreeColumns, *, budgets: bool = True) -> Fleet:
                 id=columns.robot_id(robot),
                 capabilities={DOES: 1.0},
                 limits={} if held is None else {BUDGET: float(held[robot])},
-                count=1,
+                count=1 if columns.count is None else columns.count[robot],
             )
             for robot in range(columns.robots)
         )

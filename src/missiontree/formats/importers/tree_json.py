@@ -4,7 +4,8 @@ Trees as columns in JSON, the form in which instances of allocation are passed o
 One mapping. ``kind`` (0 leaf, 1 AND, 2 XOR), ``parent`` (-1 for the root, else an earlier node), ``robot`` and ``utility`` are lists
 with a number per node, and so are ``duration`` and ``consumption``, which may be left out; numbers other than kind and parent
 belong to leaves and are 0 elsewhere. ``robots`` says how many there are. May be left out: ``budget``, what each robot may use;
-``precedence``, pairs [before, after]; ``disjoint``, ANDs whose children are to be done by different robots.
+``precedence``, pairs [before, after]; ``disjoint``, ANDs whose children are to be done by different robots; ``count``, how many equal
+robots each ``robot`` stands for (one if it is left out).
 
 Trees of a million nodes come through here, so all is looked at by column; a loop that names the culprit runs only where there is one.
 """
@@ -26,7 +27,7 @@ from missiontree.mission.fleet import MAX_ROBOTS
 
 COLUMNS = ("kind", "parent", "robot", "utility", "duration", "consumption")
 NEEDED = ("kind", "parent", "robot", "utility", "robots")
-KEYS = (*COLUMNS, "precedence", "disjoint", "robots", "budget")
+KEYS = (*COLUMNS, "precedence", "disjoint", "robots", "budget", "count")
 MOST = 10**9
 MOST_HELD = 10**15
 """Of a number at a leaf, and of a budget: below these, all sums that are shown are exact."""
@@ -77,7 +78,8 @@ def columns_of(parsed: Parsed) -> TreeColumns:
         precedence=data.get("precedence", []),
         disjoint=disjoint,
         robots=robots,
-        budget=_budget(parsed, robots),
+        budget=_per_robot(parsed, "budget", robots, 0, MOST_HELD),
+        count=_count(parsed, robots),
     )
     kind = columns["kind"]
     _require(
@@ -159,14 +161,22 @@ def _check_leaves(parsed: Parsed, columns: dict[str, list[int]], robots: int) ->
                 raise parsed.refusal(message, (name, node), "0, for only leaves have one")
 
 
-def _budget(parsed: Parsed, robots: int) -> list[int] | None:
-    given = parsed.data.get("budget")
+def _per_robot(parsed: Parsed, name: str, robots: int, low: int, high: int) -> list[int] | None:
+    """The list with a number per robot that stands there; None if there is none."""
+    given = parsed.data.get(name)
     if given is None:
         return None
-    budget = _whole_numbers(parsed, "budget", given)
-    if len(budget) != robots:
+    numbers = _whole_numbers(parsed, name, given)
+    if len(numbers) != robots:
         raise parsed.refusal(
-            f"the list has {len(budget)} numbers, and there are {robots} robots", ("budget",), "a number per robot"
+            f"the list has {len(numbers)} numbers, and there are {robots} robots", (name,), "a number per robot"
         )
-    _require_span(parsed, "budget", budget, 0, MOST_HELD, f"a whole number from 0 to {MOST_HELD:,}")
-    return budget
+    _require_span(parsed, name, numbers, low, high, f"a whole number from {low:,} to {high:,}")
+    return numbers
+
+
+def _count(parsed: Parsed, robots: int) -> list[int] | None:
+    count = _per_robot(parsed, "count", robots, 1, MAX_ROBOTS)
+    if count is not None and sum(count) > MAX_ROBOTS:
+        raise parsed.refusal(f"there are {sum(count):,} robots in all", ("count",), f"at most {MAX_ROBOTS:,} robots in all")
+    return count

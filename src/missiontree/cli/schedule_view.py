@@ -1,0 +1,176 @@
+"""A schedule of an instance from elsewhere as people read it, and as JSON."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from rich.console import Group, RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from missiontree.instances import Instance
+from missiontree.mission.coalitions import CoalitionMission, CoalitionSchedule
+from missiontree.mission.columns import LEAF, TreeColumns
+from missiontree.mission.tree_schedule import TreeSchedule
+from missiontree.reporting.text import words
+
+MOST_ACTIONS = 40
+MOST_ROBOTS = 12
+
+
+class Told(NamedTuple):
+    """
+    What there is to tell.
+
+    Parameters
+    ----------
+    instance, schedule
+        What was asked, and the answer.
+    source
+        Name of the file.
+    seed, time_limit_s
+        What was asked for.
+    elapsed_s
+        Seconds that scheduling took.
+    """
+
+    instance: Instance
+    schedule: TreeSchedule | CoalitionSchedule
+    source: str
+    seed: int
+    time_limit_s: float
+    elapsed_s: float
+
+
+class Deed(NamedTuple):
+    """Something that a robot does."""
+
+    start_s: float
+    end_s: float
+    robot: str
+    what: str
+
+
+def view_of(told: Told) -> Group:
+    """The schedule for a terminal."""
+    return Group(*_sections(told))
+
+
+def _sections(told: Told) -> Iterator[RenderableType]:
+    schedule = told.schedule
+    yield words(f"{told.source}: {_size(told.instance)}", "dim")
+    certificate = schedule.certificate
+    if schedule.status == "infeasible":
+        yield words(f"Cannot be done: {certificate.detail}", "bold")
+        return
+    yield Text(f"Makespan {_shown(schedule.makespan_s)} s, {_known(told)}", style="bold")
+    if certificate.bound is not None and schedule.status != "optimal":
+        gap = (schedule.makespan_s - certificate.bound) / max(1.0, schedule.makespan_s)
+        yield Text(f"No schedule is shorter than {_shown(certificate.bound)} s; gap {100 * gap:.3g} %.")
+    yield words(certificate.detail)
+    if isinstance(told.instance, CoalitionMission) and told.instance.reference_s is not None:
+        yield Text(f"Published for this instance: {told.instance.reference_s:.3f} s.")
+    deeds = deeds_of(told)
+    yield Padding(_robots(deeds, schedule.makespan_s), (0, 0, 0, 2), expand=False)
+    if len(deeds) <= MOST_ACTIONS:
+        yield Padding(_actions(deeds), (0, 0, 0, 2), expand=False)
+    else:
+        yield Text(f"{len(deeds):,} actions; --json lists them all", style="dim")
+    yield Text(f"seed {told.seed}, time limit {told.time_limit_s:g} s: {told.elapsed_s:.2f} s", style="dim")
+
+
+def _size(instance: Instance) -> str:
+    if isinstance(instance, CoalitionMission):
+        return f"{len(instance.tasks)} tasks, {len(instance.skills)} robots"
+    robots = instance.robots if instance.count is None else sum(instance.count)
+    return f"{len(instance.kind):,} nodes, {list(instance.kind).count(LEAF):,} leaves, {robots:,} robots"
+
+
+def _known(told: Told) -> str:
+    certificate = told.schedule.certificate
+    method = certificate.method.replace("_", " ")
+    if told.schedule.status == "optimal":
+        return f"optimal, confirmed by {method}" if certificate.claim == "proven" else "optimal by the solver's word"
+    return "not proven to be the least"
+
+
+def _shown(seconds: float) -> str:
+    return f"{seconds:,.3f}".rstrip("0").rstrip(".")
+
+
+def deeds_of(told: Told) -> list[Deed]:
+    """What is done, by start."""
+    instance, schedule = told.instance, told.schedule
+    if isinstance(instance, CoalitionMission):
+        assert isinstance(schedule, CoalitionSchedule)
+        deeds = [
+            Deed(visit.start_s, visit.end_s, f"robot-{robot}", f"Task {visit.task + 1}")
+            for visit in schedule.visits
+            for robot in visit.robots
+        ]
+        deeds += [Deed(at, at, f"robot-{robot}", "At the end") for robot, at in enumerate(schedule.arrivals_s)]
+        return sorted(deeds)
+    assert isinstance(schedule, TreeSchedule)
+    return sorted(
+        Deed(start, start + instance.duration[leaf], _robot(instance, schedule, leaf), instance.label(leaf))
+        for leaf, start in schedule.start_s.items()
+    )
+
+
+def _robot(columns: TreeColumns, schedule: TreeSchedule, leaf: int) -> str:
+    name = columns.robot_id(columns.robot[leaf])
+    return name if columns.count is None else f"{name}-{schedule.robot[leaf] + 1}"
+
+
+def _robots(deeds: list[Deed], makespan_s: float) -> Table:
+    """Who is busy how long, the busiest first."""
+    busy: dict[str, list[float]] = {}
+    for deed in deeds:
+        if deed.end_s > deed.start_s:
+            busy.setdefault(deed.robot, []).append(deed.end_s - deed.start_s)
+    table = _table("robot", "actions", "busy s", "of makespan", left=("robot",))
+    ranked = sorted(busy.items(), key=lambda item: -sum(item[1]))
+    for robot, times in ranked[:MOST_ROBOTS]:
+        table.add_row(words(robot), str(len(times)), _shown(sum(times)), f"{100 * sum(times) / max(1e-9, makespan_s):.0f} %")
+    if len(ranked) > MOST_ROBOTS:
+        table.add_row(f"… and {len(ranked) - MOST_ROBOTS} more", "", "", "")
+    return table
+
+
+def _actions(deeds: list[Deed]) -> Table:
+    table = _table("from s", "to s", "robot", "what", left=("robot", "what"))
+    for deed in deeds:
+        table.add_row(_shown(deed.start_s), _shown(deed.end_s), words(deed.robot), words(deed.what))
+    return table
+
+
+def _table(*columns: str, left: tuple[str, ...]) -> Table:
+    table = Table(box=None, padding=(0, 2, 0, 0), header_style="dim")
+    for name in columns:
+        table.add_column(name, justify="left" if name in left else "right")
+    return table
+
+
+def json_of(told: Told) -> str:
+    """The schedule as JSON, an action per line."""
+    schedule = told.schedule
+    certificate = schedule.certificate
+    head = {
+        "status": schedule.status,
+        "makespan_s": schedule.makespan_s,
+        "bound_s": certificate.bound,
+        "claim": certificate.claim,
+        "method": certificate.method,
+        "detail": certificate.detail,
+        "seed": told.seed,
+        "time_limit_s": told.time_limit_s,
+        "time_s": round(told.elapsed_s, 6),
+    }
+    if isinstance(schedule, TreeSchedule):
+        head["chosen"] = {str(xor): child for xor, child in sorted(schedule.chosen.items())}
+    lines = ",\n".join("    " + json.dumps(deed._asdict()) for deed in deeds_of(told))
+    listed = f"[\n{lines}\n  ]" if lines else "[]"
+    return json.dumps(head, indent=2).removesuffix("\n}") + f',\n  "actions": {listed}\n}}\n'

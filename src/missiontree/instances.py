@@ -1,0 +1,79 @@
+"""
+Instances from elsewhere: read, scheduled with their choices, and checked, on one page.
+
+A flexible job shop, a mission of coalitions, or a tree in columns says itself what there is to choose from, so that there is nothing to
+author. What counts is the makespan alone.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from missiontree.checking.coalitions import check_coalitions
+from missiontree.checking.columns import check_tree
+from missiontree.checking.fault import Fault
+from missiontree.errors import InputError, InternalError
+from missiontree.formats.importers.coalitions import coalitions_of, looks_like_coalitions
+from missiontree.formats.importers.fjsp import looks_like_shop, shop_of
+from missiontree.formats.importers.tree_json import columns_of, looks_like_tree
+from missiontree.formats.reader import parse
+from missiontree.formats.source import load_text
+from missiontree.mission.coalitions import CoalitionMission, CoalitionSchedule
+from missiontree.mission.columns import TreeColumns
+from missiontree.mission.control import Control
+from missiontree.mission.tree_schedule import TreeSchedule
+from missiontree.scheduling.coalitions.coalitions import schedule_coalitions
+from missiontree.scheduling.joint.joint import schedule_tree
+
+ACCEPTED = "a flexible job shop (text), a mission of coalitions (JSON) or a tree in columns (JSON)"
+
+Instance = TreeColumns | CoalitionMission
+
+
+def read_instance(file: Path) -> Instance:
+    """
+    Read a file in any of the three forms, which it is recognised by.
+
+    Raises
+    ------
+    InputError
+        If it has none of them, or is damaged: says where, what was found and what is accepted.
+    """
+    text = load_text(file)
+    if looks_like_shop(text):
+        return shop_of(text, str(file))
+    parsed = parse(text, str(file))
+    if looks_like_coalitions(parsed.data):
+        return coalitions_of(parsed)
+    if looks_like_tree(parsed.data):
+        return columns_of(parsed)
+    raise InputError("this is no instance of a form that is known here", file=str(file), accepted=ACCEPTED)
+
+
+def schedule_instance(
+    instance: Instance, control: Control | None = None, *, solver: bool = True
+) -> TreeSchedule | CoalitionSchedule:
+    """
+    Choose and schedule for the least makespan. What is returned has passed the checker.
+
+    Parameters
+    ----------
+    instance
+        As :func:`read_instance` returns it.
+    control
+        Time limit, stop token, listener, seed. Default: no limit; then a job shop that resists may take very long.
+    solver
+        Whether CP-SAT may be asked where bounds and search leave a gap. Default true.
+    """
+    limits = control or Control()
+    faults: tuple[Fault, ...]
+    schedule: TreeSchedule | CoalitionSchedule
+    if isinstance(instance, CoalitionMission):
+        schedule = schedule_coalitions(instance, limits)
+        faults = check_coalitions(instance, schedule)
+    else:
+        schedule = schedule_tree(instance, limits, solver=solver)
+        faults = check_tree(instance, schedule)
+    if faults:
+        raise InternalError(f"the checker refuses a schedule of our own making: {faults[0].message}")
+    return schedule
