@@ -38,24 +38,34 @@ def _tasks(mission: CoalitionMission, schedule: CoalitionSchedule) -> Iterator[F
         if visit.task >= len(mission.tasks) or not all(robot < len(mission.skills) for robot in visit.robots):
             yield Fault(f"task {visit.task + 1} or one of the robots {visit.robots} does not exist.")
             continue
-        task = mission.tasks[visit.task]
+        asked = mission.tasks[visit.task]
         lasts = visit.end_s - visit.start_s
-        if not task.duration_s - TOLERANCE_S <= lasts <= task.duration_s + LOOSE_S:
-            yield Fault(f"task {visit.task + 1} lasts {lasts:g} s.", f"task {visit.task + 1}", needed=f"{task.duration_s:g} s")
+        if not asked.duration_s - TOLERANCE_S <= lasts <= asked.duration_s + LOOSE_S:
+            yield Fault(
+                f"task {visit.task + 1} lasts {lasts:g} s.", f"task {visit.task + 1}", needed=f"{asked.duration_s:g} s"
+            )
         skills = {skill for robot in visit.robots for skill in mission.skills[robot]}
-        missing = sorted(set(task.needs) - skills)
+        missing = sorted(set(asked.needs) - skills)
         if missing or not visit.robots or len(set(visit.robots)) < len(visit.robots):
-            yield Fault(f"task {visit.task + 1} is done by robots {visit.robots}, who lack skills {missing}.", f"task {visit.task + 1}")
+            yield Fault(
+                f"task {visit.task + 1} is done by robots {visit.robots}, who lack skills {missing}.",
+                f"task {visit.task + 1}",
+            )
 
 
 def _routes(mission: CoalitionMission, schedule: CoalitionSchedule) -> Iterator[Fault]:
     """A robot has the time to come from where it was, and gets to the end."""
     if len(schedule.arrivals_s) != len(mission.skills):
-        yield Fault("not every robot arrives at the end.", found=str(len(schedule.arrivals_s)), needed=str(len(mission.skills)))
+        yield Fault(
+            "not every robot arrives at the end.", found=str(len(schedule.arrivals_s)), needed=str(len(mission.skills))
+        )
         return
     for robot, arrival in enumerate(schedule.arrivals_s):
         place, free = mission.start, 0.0
-        own = sorted((visit for visit in schedule.visits if robot in visit.robots), key=lambda visit: (visit.start_s, visit.end_s))
+        own = sorted(
+            (visit for visit in schedule.visits if robot in visit.robots),
+            key=lambda visit: (visit.start_s, visit.end_s),
+        )
         for visit in own:
             task = mission.tasks[visit.task]
             there = free + dist(place, (task.x_m, task.y_m))
@@ -70,7 +80,10 @@ def _routes(mission: CoalitionMission, schedule: CoalitionSchedule) -> Iterator[
             place, free = (task.x_m, task.y_m), visit.end_s
         there = free + dist(place, mission.end)
         if arrival < there - TOLERANCE_S:
-            yield Fault(f"robot {robot} is at the end at {arrival:g} s, and cannot be before {there:.3f} s.", robot=f"robot {robot}")
+            yield Fault(
+                f"robot {robot} is at the end at {arrival:g} s, and cannot be before {there:.3f} s.",
+                robot=f"robot {robot}",
+            )
 
 
 def _order(mission: CoalitionMission, schedule: CoalitionSchedule) -> Iterator[Fault]:
@@ -86,6 +99,8 @@ def _claims(schedule: CoalitionSchedule) -> Iterator[Fault]:
         yield Fault("the makespan is not the last arrival.", found=f"{schedule.makespan_s:g} s", needed=f"{last:g} s")
     bound = schedule.certificate.bound
     if bound is not None and bound > schedule.makespan_s + TOLERANCE_S:
-        yield Fault("the bound lies above the makespan.", found=f"{bound:g} s", needed=f"at most {schedule.makespan_s:g} s")
+        yield Fault(
+            "the bound lies above the makespan.", found=f"{bound:g} s", needed=f"at most {schedule.makespan_s:g} s"
+        )
     if schedule.status == "optimal" and (bound is None or bound < schedule.makespan_s - TOLERANCE_S):
         yield Fault("the schedule is called optimal, and its bound is another.", found=f"{bound} s")

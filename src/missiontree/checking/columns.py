@@ -49,7 +49,9 @@ def _selected(columns: TreeColumns, schedule: TreeSchedule) -> tuple[list[bool],
             open_gates.add(node)
     for node in sorted(open_gates):
         found = str(schedule.chosen.get(node, "none"))
-        faults.append(Fault(f"{columns.label(node)} is reached, and no child of it is taken.", columns.label(node), found=found))
+        faults.append(
+            Fault(f"{columns.label(node)} is reached, and no child of it is taken.", columns.label(node), found=found)
+        )
     for node in schedule.chosen:
         if not (0 <= node < nodes and columns.kind[node] == XOR and selected[node]):
             faults.append(Fault(f"a child is taken at node {node}, which is no XOR that is reached."))
@@ -78,7 +80,9 @@ def _robots(columns: TreeColumns, schedule: TreeSchedule) -> Iterator[Fault]:
         kind, which = columns.robot[leaf], schedule.robot[leaf]
         there = 1 if columns.count is None else columns.count[kind]
         if not 0 <= which < there:
-            yield Fault(f"{columns.label(leaf)} is done by robot {which} of {columns.robot_id(kind)}, of which there are {there}.")
+            yield Fault(
+                f"{columns.label(leaf)} is done by robot {which} of {columns.robot_id(kind)}, of which there are {there}."
+            )
         if columns.duration[leaf]:
             spans.setdefault((kind, which), []).append((start, start + columns.duration[leaf], leaf))
     for (kind, which), busy in spans.items():
@@ -129,7 +133,9 @@ def _claims(columns: TreeColumns, schedule: TreeSchedule) -> Iterator[Fault]:
     """The makespan is the last end, and no bound lies above it."""
     end = max((start + columns.duration[leaf] for leaf, start in schedule.start_s.items()), default=0)
     if end != schedule.makespan_s:
-        yield Fault("the makespan is not the end of the last action.", found=f"{schedule.makespan_s} s", needed=f"{end} s")
+        yield Fault(
+            "the makespan is not the end of the last action.", found=f"{schedule.makespan_s} s", needed=f"{end} s"
+        )
     bound = schedule.certificate.bound
     if bound is not None and bound > end:
         yield Fault("the bound lies above the makespan.", found=f"{bound:g} s", needed=f"at most {end} s")

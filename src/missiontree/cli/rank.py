@@ -128,7 +128,9 @@ def _problem(file: Path, *, budgets: bool, disjoint: bool) -> Problem:
 
     columns = columns_of(parsed)
     if columns.count is not None:
-        raise parsed.refusal("ranking takes trees of single robots", ("count",), "no count; `missiontree schedule` keeps it")
+        raise parsed.refusal(
+            "ranking takes trees of single robots", ("count",), "no count; `missiontree schedule` keeps it"
+        )
     flat = flat_of_columns(columns, budgets=budgets, disjoint=disjoint)
     count = len(columns.disjoint)
     named = f"what the file says of disjoint robots, at {count} AND{'s' if count > 1 else ''}"

@@ -10,6 +10,7 @@ import typer
 from missiontree.cli import options
 from missiontree.cli.exits import Exit
 from missiontree.cli.interrupt import controlled
+from missiontree.cli.rank import seldom_collected
 from missiontree.cli.screen import remark, show
 
 LIMIT_S = 60.0
@@ -36,13 +37,14 @@ def command(
     from missiontree.cli.schedule_view import Told, json_of, view_of
     from missiontree.instances import read_instance, schedule_instance
 
-    instance = read_instance(file)
-    started = perf_counter()
-    with controlled(time_limit, seed or 0) as control:
-        if solver and not _solver_there() and not as_json:
-            remark("CP-SAT is not installed (pip install ortools), so it is not asked", colour)
-        schedule = schedule_instance(instance, control, solver=solver and _solver_there())
-    told = Told(instance, schedule, file.name, seed or 0, time_limit, perf_counter() - started)
+    if solver and not _solver_there() and not as_json:
+        remark("CP-SAT is not installed (pip install ortools), so it is not asked", colour)
+    with seldom_collected():
+        instance = read_instance(file)
+        started = perf_counter()
+        with controlled(time_limit, seed or 0) as control:
+            schedule = schedule_instance(instance, control, solver=solver and _solver_there())
+        told = Told(instance, schedule, file.name, seed or 0, time_limit, perf_counter() - started)
     if as_json:
         typer.echo(json_of(told), nl=False)
     else:

@@ -134,7 +134,9 @@ def _robots(deeds: list[Deed], makespan_s: float) -> Table:
     table = _table("robot", "actions", "busy s", "of makespan", left=("robot",))
     ranked = sorted(busy.items(), key=lambda item: -sum(item[1]))
     for robot, times in ranked[:MOST_ROBOTS]:
-        table.add_row(words(robot), str(len(times)), _shown(sum(times)), f"{100 * sum(times) / max(1e-9, makespan_s):.0f} %")
+        table.add_row(
+            words(robot), str(len(times)), _shown(sum(times)), f"{100 * sum(times) / max(1e-9, makespan_s):.0f} %"
+        )
     if len(ranked) > MOST_ROBOTS:
         table.add_row(f"… and {len(ranked) - MOST_ROBOTS} more", "", "", "")
     return table
@@ -158,7 +160,7 @@ def json_of(told: Told) -> str:
     """The schedule as JSON, an action per line."""
     schedule = told.schedule
     certificate = schedule.certificate
-    head = {
+    head: dict[str, object] = {
         "status": schedule.status,
         "makespan_s": schedule.makespan_s,
         "bound_s": certificate.bound,

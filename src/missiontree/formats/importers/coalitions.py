@@ -2,8 +2,8 @@
 Missions of coalitions in the JSON form of the Sadcher data set (8t3r), as values.
 
 One mapping. ``Q[r][s]``: robot r has skill s (1) or not (0). ``R[t][s]``: task t needs skill s (1) or not (0). ``T_e[t]``: how long it
-takes, in seconds. ``task_locations[t]``: where it is done, ``[x, y]`` in metres. Task 0 is the start of all robots and the last task is where all
-of them end up; neither needs a skill or takes time. ``precedence_constraints`` (may be left out): pairs [before, after] of tasks.
+takes, in seconds. ``task_locations[t]``: where it is done, ``[x, y]`` in metres. Task 0 is the start of all robots and the last task is
+where all of them end up; neither needs a skill or takes time. ``precedence_constraints`` (may be left out): pairs [before, after] of tasks.
 ``ref`` (may be left out): a makespan that was published.
 """
 
@@ -169,10 +169,11 @@ def _refuse_circle(parsed: Parsed, pairs: list[tuple[int, int]], tasks: int) -> 
         place = next(place for place, pair in enumerate(pairs) if left.issuperset(pair))
         shown = ", ".join(str(task + 1) for task in sorted(left)[:8])
         message = f"the precedence runs in a circle, so no order keeps it; in it, or after it, are the tasks {shown}"
-        raise parsed.refusal(message, ("precedence_constraints", place), "an order that can be kept", "Remove a pair of these.")
+        raise parsed.refusal(
+            message, ("precedence_constraints", place), "an order that can be kept", "Remove a pair of these."
+        )
 
 
 def _reference(parsed: Parsed) -> float | None:
     given = parsed.data.get("ref")
     return None if given is None else _number(parsed, ("ref",), given, 0, "seconds")
-

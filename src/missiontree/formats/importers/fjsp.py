@@ -59,13 +59,17 @@ def shop_of(text: str, source: str = "<text>") -> TreeColumns:
     lines = _lines(clean(text, source))
     line, words = next(lines, (0, []))
     if not words:
-        raise InputError("the file is empty", file=source, accepted="the numbers of jobs and of machines in its first line")
+        raise InputError(
+            "the file is empty", file=source, accepted="the numbers of jobs and of machines in its first line"
+        )
     jobs, machines = _head(words, source, line)
     reading = _Reading(source, machines)
     found = 0
     for line, words in lines:
         if found == jobs:
-            raise InputError(f"a line follows the last of {jobs} jobs", file=source, line=line, accepted="no more lines than jobs")
+            raise InputError(
+                f"a line follows the last of {jobs} jobs", file=source, line=line, accepted="no more lines than jobs"
+            )
         found += 1
         reading.job(found, words, line)
     if found < jobs:
@@ -166,7 +170,9 @@ class _Reading:
         if time > MOST:
             raise self.refusal(line, f"time {time} for {what}", f"times from 0 to {MOST:,}")
         if self.ways >= MOST_WAYS:
-            raise self.refusal(line, f"more than {MOST_WAYS:,} ways", f"a file with at most {MOST_WAYS:,} pairs of machine and time")
+            raise self.refusal(
+                line, f"more than {MOST_WAYS:,} ways", f"a file with at most {MOST_WAYS:,} pairs of machine and time"
+            )
         if machine > self.highest[0]:
             self.highest = (machine, line)
         if not machine and not self.zero:

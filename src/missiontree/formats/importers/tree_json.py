@@ -73,15 +73,20 @@ def columns_of(parsed: Parsed) -> TreeColumns:
     robots = _robots(parsed)
     _check_leaves(parsed, columns, robots)
     disjoint = _whole_numbers(parsed, "disjoint", data.get("disjoint", []))
+    kind = columns["kind"]
     tree = TreeColumns(
-        **columns,
+        kind=kind,
+        parent=columns["parent"],
+        robot=columns["robot"],
+        utility=columns["utility"],
+        duration=columns["duration"],
+        consumption=columns["consumption"],
         precedence=data.get("precedence", []),
         disjoint=disjoint,
         robots=robots,
         budget=_per_robot(parsed, "budget", robots, 0, MOST_HELD),
         count=_count(parsed, robots),
     )
-    kind = columns["kind"]
     _require(
         parsed, "disjoint", disjoint, lambda node: 0 <= node < len(kind) and kind[node] == AND, "the index of an AND"
     )
@@ -178,5 +183,7 @@ def _per_robot(parsed: Parsed, name: str, robots: int, low: int, high: int) -> l
 def _count(parsed: Parsed, robots: int) -> list[int] | None:
     count = _per_robot(parsed, "count", robots, 1, MAX_ROBOTS)
     if count is not None and sum(count) > MAX_ROBOTS:
-        raise parsed.refusal(f"there are {sum(count):,} robots in all", ("count",), f"at most {MAX_ROBOTS:,} robots in all")
+        raise parsed.refusal(
+            f"there are {sum(count):,} robots in all", ("count",), f"at most {MAX_ROBOTS:,} robots in all"
+        )
     return count

@@ -75,7 +75,10 @@ def outlook_of(mission: CoalitionMission) -> Outlook:
     """What can be known before anything is decided."""
     tasks = range(len(mission.tasks))
     start, end = len(mission.tasks), len(mission.tasks) + 1
-    way_in = [min([mission.travel[other][task] for other in tasks if other != task] + [mission.travel[start][task]]) for task in tasks]
+    way_in = [
+        min([mission.travel[other][task] for other in tasks if other != task] + [mission.travel[start][task]])
+        for task in tasks
+    ]
     visit = [mission.lengths[task] + way_in[task] for task in tasks]
     home = [mission.travel[task][end] for task in tasks]
     sure = [

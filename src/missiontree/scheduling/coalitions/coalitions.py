@@ -50,9 +50,7 @@ def schedule_coalitions(mission: CoalitionMission, control: Control) -> Coalitio
 
 
 def _impossible(method: str, detail: str) -> CoalitionSchedule:
-    return CoalitionSchedule(
-        status="infeasible", certificate=Certificate(claim="proven", method=method, detail=detail)
-    )
+    return CoalitionSchedule(status="infeasible", certificate=Certificate(claim="proven", method=method, detail=detail))
 
 
 def _told(mission: CoalitionMission, best: Label, makespan: int, bound: int) -> CoalitionSchedule:
@@ -69,7 +67,11 @@ def _told(mission: CoalitionMission, best: Label, makespan: int, bound: int) -> 
         (free + mission.travel[place][end]) / TICKS_PER_S for place, free in zip(best.places, best.free, strict=True)
     )
     optimal = bound >= makespan
-    detail = "Every other beginning is outdone, or cannot end earlier." if optimal else "No beginning that was left out ends earlier."
+    detail = (
+        "Every other beginning is outdone, or cannot end earlier."
+        if optimal
+        else "No beginning that was left out ends earlier."
+    )
     return CoalitionSchedule(
         status="optimal" if optimal else "feasible",
         certificate=Certificate(

@@ -71,9 +71,7 @@ class Search:
     finished: bool
 
 
-def search(
-    mission: CoalitionMission, outlook: Outlook, upper: int, width: int, ended: Callable[[], bool]
-) -> Search:
+def search(mission: CoalitionMission, outlook: Outlook, upper: int, width: int, ended: Callable[[], bool]) -> Search:
     """
     Walk through the layers.
 

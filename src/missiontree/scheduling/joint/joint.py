@@ -1,68 +1,42 @@
-"""The whole road of this package: bounds, list schedules, tabu search, CP-SAT, and what is known in the end."""
+"""The whole road of this package: bounds, list schedules, searches, CP-SAT, and what is known in the end."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import cached_property
+from random import Random
 
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.columns import TreeColumns
 from missiontree.mission.control import Control, Progress
 from missiontree.mission.tree_schedule import TreeSchedule
+from missiontree.scheduling.joint.balance import POWERS, balanced
+from missiontree.scheduling.joint.chains import Contraction, contracted
 from missiontree.scheduling.joint.compiled import best_engine
+from missiontree.scheduling.joint.flips import flipped
 from missiontree.scheduling.joint.handing import handed_out
+from missiontree.scheduling.joint.justify import justified, reversed_in_time
+from missiontree.scheduling.joint.known import Known
 from missiontree.scheduling.joint.listing import Aim, Listed, leaves_below, listed
-from missiontree.scheduling.joint.loads import Loads, loads_of
+from missiontree.scheduling.joint.loads import loads_of
 from missiontree.scheduling.joint.paths import NEVER, Paths, paths_of
-from missiontree.scheduling.joint.chains import contracted
 from missiontree.scheduling.joint.problem import JointProblem, problem_of
 from missiontree.scheduling.joint.shops import workshop_of
 
-TABU_SHARE = 0.3
-"""Of the time limit."""
-TABU_S = 20.0
-"""Where there is no limit."""
-MOST_FOR_SOLVER = 20_000
-"""Leaves above which no model is built."""
-LEAST_FOR_SOLVER_S = 0.2
 STRETCHES = (1.0, 0.0, 1.03, 1.08, 1.2, 1.5, 2.0, 3.0)
-
-
-@dataclass
-class Known:
-    """
-    What is known so far.
-
-    Parameters
-    ----------
-    best
-        The best schedule of the whole tree; None if there is none.
-    bound, method
-        Of the package itself, and how it came about.
-    word
-        A bound by the word of the solver.
-    """
-
-    best: Listed | None = None
-    bound: int = 0
-    method: str = "critical_path"
-    word: int = 0
-    confirmed: bool = field(default=False)
-
-    @property
-    def closed(self) -> bool:
-        """Whether the best meets the bound."""
-        return self.best is not None and self.best.makespan <= self.bound
-
-    def offer(self, one: Listed) -> None:
-        """A further schedule."""
-        if self.best is None or one.makespan < self.best.makespan:
-            self.best = one
-
-    def raise_bound(self, bound: int, method: str) -> None:
-        """A further bound."""
-        if bound > self.bound:
-            self.bound, self.method = bound, method
+"""Targets of list schedules, as multiples of the bound."""
+BALANCE_SHARE, FLIP_SHARE, TABU_SHARE = 0.05, 0.05, 0.3
+"""Of the time limit that is left."""
+SEARCH_S = 20.0
+"""What each search may take where there is no limit."""
+PATIENCE = 0.3
+"""Of the time of the tabu search, without a new best after which it ends."""
+MOST_FOR_TABU = 20_000
+MOST_FOR_SOLVER = 12_000
+"""Leaves above which these are not worth their while."""
+LEAST_S = 0.2
+"""Of time left, to ask the solver."""
 
 
 def schedule_tree(columns: TreeColumns, control: Control, *, solver: bool = True) -> TreeSchedule:
@@ -74,146 +48,184 @@ def schedule_tree(columns: TreeColumns, control: Control, *, solver: bool = True
     columns
         The tree.
     control
-        Its limit ends every step.
+        Its limit ends every step; the first schedule is made in any case.
     solver
-        Whether CP-SAT may be asked where the rest has not closed the gap. Default true.
+        Whether CP-SAT may be asked where all else leaves a gap. Default true.
     """
-    problem = problem_of(columns)
-    paths = paths_of(problem)
-    known = Known(bound=paths.bound)
-    if paths.bound >= NEVER:
-        certificate = Certificate(claim="proven", method="selection", detail="Some XOR that must be reached has no child to take.")
-        return TreeSchedule("infeasible", certificate, {}, {}, {}, 0)
-    for _ in _steps(problem, paths, known, control, solver=solver):
-        best = known.best
-        assert best is not None  # the first step offers one
-        control.report(Progress("scheduling", 0, best.makespan, float(max(known.bound, known.word))))
-        if known.closed or control.ended():
-            break
-    return _told(problem, known)
+    view = _View(problem_of(columns))
+    if view.shorter.bound >= NEVER:
+        detail = "Some XOR that must be reached has no child to take."
+        return TreeSchedule("infeasible", Certificate(claim="proven", method="selection", detail=detail), {}, {}, {}, 0)
+    known = Known(view.first_list(), view.shorter.bound)
+    if not known.closed:
+        for _ in _steps(view, known, control, solver=solver):
+            control.report(Progress("scheduling", 0, known.best.makespan, float(max(known.bound, known.word))))
+            if known.closed or control.ended():
+                break
+    return known.told()
 
 
-def _steps(problem: JointProblem, paths: Paths, known: Known, control: Control, *, solver: bool) -> Iterator[None]:
+class _View:
+    """The tree as it is and with its chains as leaves, and what follows from both alone."""
+
+    def __init__(self, problem: JointProblem) -> None:
+        self.problem = problem
+        self.contraction: Contraction = contracted(problem)
+        self.smaller = self.contraction.problem
+        self.shorter: Paths = paths_of(self.smaller)
+        self.sizes = leaves_below(self.smaller)
+        self.urgency = [-rest for rest in self.shorter.rest]
+        self.price = [1.0] * len(problem.count)
+
+    @cached_property
+    def paths(self) -> Paths:
+        """Least times in the whole tree."""
+        return paths_of(self.problem)
+
+    @cached_property
+    def mirror(self) -> JointProblem:
+        """The tree reversed in time."""
+        return reversed_in_time(self.problem)
+
+    def first_list(self) -> Listed:
+        """The list schedule that is aimed at the bound."""
+        return self.whole(self.list_for(self.shorter.bound))
+
+    def list_for(self, target: int) -> Listed:
+        """A list schedule of the smaller tree."""
+        return listed(self.smaller, self.shorter, self.urgency, Aim(target, self.price, self.sizes))
+
+    def whole(self, one: Listed) -> Listed:
+        """A schedule of the smaller tree, as one of the whole."""
+        return self.contraction.expanded(self.problem, one)
+
+    def pushed(self, one: Listed, known: Known, control: Control) -> Listed:
+        """The schedule of the whole tree, pushed to and fro."""
+        return justified(self.problem, self.mirror, self.paths, one, known.bound, control.ended)
+
+
+def _steps(view: _View, known: Known, control: Control, *, solver: bool) -> Iterator[None]:
     """Each step leaves more known than there was, or nothing; the cheapest first."""
-    yield from _lists(problem, paths, known, control)
-    assert known.best is not None  # a list schedule always comes about
-    found = loads_of(problem, paths, known.bound, known.best.makespan, control.ended)
+    yield from _lists(view, known)
+    found = loads_of(view.smaller, view.shorter, known.bound, known.best.makespan, control.ended)
     known.raise_bound(found.bound, "load")
+    view.price = [float(each) for each in found.price]
     yield
-    yield from _lists(problem, paths, known, control, found)
-    if max(problem.count) == 1:
-        _tabu(problem, paths, known, control)
+    yield from _balances(view, known, control)
+    known.offer(view.pushed(known.best, known, control))
+    yield from _lists(view, known)
+    _flips(view, known, control)
+    yield
+    if max(view.problem.count) == 1 and len(view.problem.leaves) <= MOST_FOR_TABU:
+        _tabu(view, known, control)
         yield
-    if solver and len(problem.leaves) <= MOST_FOR_SOLVER:
-        _solver(problem, paths, known, control)
+    if solver and len(view.problem.leaves) <= MOST_FOR_SOLVER:
+        _solver(view, known, control)
         yield
 
 
-def _lists(
-    problem: JointProblem, paths: Paths, known: Known, control: Control, loads: Loads | None = None
-) -> Iterator[None]:
-    """List schedules for several targets, over the tree with its chains as leaves and then as it is."""
-    smaller = contracted(problem)
-    shorter = paths if len(smaller.inside) == len(problem.kind) else paths_of(smaller.problem)
-    price = [1.0] * len(problem.count) if loads is None else [float(each) for each in loads.price]
-    for whole in (False, True):
-        if whole and shorter is paths:
-            return
-        tree, least = (problem, paths) if whole else (smaller.problem, shorter)
-        sizes, urgency = leaves_below(tree), [-rest for rest in least.rest]
-        for stretch in STRETCHES:
-            target = round(stretch * known.bound)
-            one = listed(tree, least, urgency, Aim(target, price, sizes))
-            known.offer(one if whole else smaller.expanded(problem, one))
-            yield
-            if control.ended():
-                return
+def _lists(view: _View, known: Known) -> Iterator[None]:
+    for stretch in STRETCHES:
+        known.offer(view.whole(view.list_for(round(stretch * known.bound))))
+        yield
 
 
-def _tabu(problem: JointProblem, paths: Paths, known: Known, control: Control) -> None:
-    best = known.best
-    assert best is not None
-    part = control.part(TABU_SHARE)
-    limit = part.time_limit_s if part.time_limit_s is not None else TABU_S
-    until = control.clock() + limit
-    upper = best.makespan
+@dataclass
+class _Turn:
+    """The time of one search."""
+
+    control: Control
+    share: float
+
+    def __post_init__(self) -> None:
+        part = self.control.part(self.share)
+        self.limit = SEARCH_S * self.share if part.time_limit_s is None else part.time_limit_s
+        self.until = self.control.clock() + self.limit
+
+    def over(self) -> bool:
+        """Whether to stop."""
+        return self.control.clock() >= self.until or self.control.ended()
+
+
+def _balances(view: _View, known: Known, control: Control) -> Iterator[None]:
+    """Selections that keep robots about equally busy, as long as the load is what binds."""
+    if known.method != "load":
+        return
+    turn, luck, rounds = _Turn(control, BALANCE_SHARE), Random(control.seed), 0  # noqa: S311 - luck for a search
+    while rounds < len(POWERS) or (rounds < 200 and not turn.over()):
+        powers = POWERS[rounds % len(POWERS)]
+        rounds += 1
+        chosen = balanced(view.smaller, view.price, powers, luck, control.ended)
+        one = view.whole(listed(view.smaller, view.shorter, view.urgency, None, chosen))
+        known.offer(view.pushed(one, known, control))
+        yield
+
+
+def _flips(view: _View, known: Known, control: Control) -> None:
+    turn = _Turn(control, FLIP_SHARE)
+    best = min((view.list_for(round(stretch * known.bound)) for stretch in STRETCHES), key=lambda one: one.makespan)
+    found = flipped(view.smaller, view.shorter, best, Aim(known.bound, view.price, view.sizes), control.seed, turn.over)
+    known.offer(view.whole(found))
+
+
+def _tabu(view: _View, known: Known, control: Control) -> None:
+    turn, upper, paths = _Turn(control, TABU_SHARE), known.best.makespan, view.paths
 
     def closed(leaf: int) -> bool:
         return paths.head[leaf] + paths.rest[leaf] >= upper
 
-    workshop = workshop_of(problem, best, best_engine(), control.seed, closed=closed)
-    workshop.improved(known.bound, lambda: control.clock() >= until or control.ended())
+    workshop = workshop_of(view.problem, known.best, best_engine(), control.seed, closed=closed)
+    since = control.clock()
+
+    def ended(better: bool) -> bool:
+        nonlocal since
+        now = control.clock()
+        since = now if better else since
+        return now - since >= PATIENCE * turn.limit or turn.over()
+
+    workshop.improved(known.bound, ended)
     known.offer(workshop.best())
 
 
-def _solver(problem: JointProblem, paths: Paths, known: Known, control: Control) -> None:
+def _solver(view: _View, known: Known, control: Control) -> None:
     """Ask CP-SAT; and where it says that nothing is better, ask the model of the other form whether anything is."""
     from missiontree.scheduling.joint.solver import solve  # noqa: PLC0415 - heavy
 
-    best = known.best
-    assert best is not None
+    problem = view.problem
 
     def left() -> float:
         whole = control.part(1.0).time_limit_s
         return 1e6 if whole is None else whole
 
-    if left() < LEAST_FOR_SOLVER_S:
+    if left() < LEAST_S:
         return
     one = solve(
-        problem, paths, known.bound, best.makespan, seed=control.seed, limit_s=left(), stop=control.stop, hint=best
+        problem,
+        view.paths,
+        known.bound,
+        known.best.makespan,
+        seed=control.seed,
+        limit_s=left(),
+        stop=control.stop,
+        hint=known.best,
     )
-    known.word = one.bound
     if one.start:
         known.offer(handed_out(problem, one.chosen, one.start))
-    best = known.best
-    assert best is not None
-    if known.word < best.makespan or known.closed or left() < LEAST_FOR_SOLVER_S or control.stop():
+    known.word = min(one.bound, known.best.makespan)
+    if known.closed or known.word < known.best.makespan or left() < LEAST_S or control.stop():
         return
     other = solve(
         problem,
-        paths,
+        view.paths,
         known.bound,
-        best.makespan - 1,
+        known.best.makespan - 1,
         seed=control.seed,
         limit_s=left(),
         stop=control.stop,
         form="own",
     )
     if other.verdict == "infeasible":
-        known.confirmed = True
-        known.raise_bound(best.makespan, "two_models")
-    elif other.start:  # the first model was wrong; the better schedule stands, and nothing is said of the bound
+        known.raise_bound(known.best.makespan, "two_models")
+    elif other.start:  # the first model was wrong: the better schedule stands, and the solver's word does not
         known.offer(handed_out(problem, other.chosen, other.start))
         known.word = 0
-
-
-def _told(problem: JointProblem, known: Known) -> TreeSchedule:
-    best = known.best
-    assert best is not None
-    status, certificate = _claimed(known, best.makespan)
-    robots = best.robot
-    return TreeSchedule(status, certificate, best.chosen, best.start, robots, best.makespan)
-
-
-DETAILS = {
-    "critical_path": "Some path through the tree takes as long, whichever ways are taken.",
-    "load": "Some robots have as much to do, whichever ways are taken.",
-    "two_models": "Two models of different form agree that nothing is shorter.",
-}
-
-
-def _claimed(known: Known, makespan: int) -> tuple[str, Certificate]:
-    if known.closed:
-        return "optimal", Certificate(
-            claim="proven", method=known.method, bound=float(makespan), detail=DETAILS[known.method]
-        )
-    if known.word >= makespan:
-        detail = "By the solver's word; no bound of missiontree's own and no second method confirms it."
-        return "optimal", Certificate(claim="bounded", method="cp_sat", bound=float(makespan), detail=detail)
-    if known.word > known.bound:
-        return "feasible", Certificate(
-            claim="bounded", method="cp_sat", bound=float(known.word), detail="A bound by the solver's word."
-        )
-    return "feasible", Certificate(
-        claim="bounded", method=known.method, bound=float(known.bound), detail=DETAILS[known.method]
-    )

@@ -113,13 +113,12 @@ class _Listing:
     def run(self) -> Listed:
         """Events in an order that keeps every precedence between selected nodes."""
         problem = self.problem
-        kind, parent, children, duration = problem.kind, problem.parent, problem.children, problem.duration
+        kind, children, duration = problem.kind, problem.children, problem.duration
         waiting = self._waiting()
         ready = [0] * len(kind)  # no earlier start, by what has ended
         ended = [0] * len(kind)
         left: dict[int, int] = {}  # children of a gate that have not ended
         queue = [(self.urgency[0], 0)]
-        makespan = 0
         while queue:
             node = heappop(queue)[1]
             if kind[node] != LEAF:
@@ -176,12 +175,10 @@ class _Listing:
                 return
             node = above
 
-    def _drop(
-        self, xor: int, child: int, waiting: list[int], ready: list[int], queue: list[tuple[int, int]]
-    ) -> None:
+    def _drop(self, xor: int, child: int, waiting: list[int], ready: list[int], queue: list[tuple[int, int]]) -> None:
         """What is not selected holds nobody up."""
         problem = self.problem
-        if not self._linked[xor]:
+        if not problem.reaching[xor]:
             return
         stack = [other for other in problem.children[xor] if other != child]
         while stack:
@@ -191,10 +188,6 @@ class _Listing:
                 if not waiting[other]:
                     heappush(queue, (self.urgency[other], other))
             stack.extend(problem.children[node])
-
-    @property
-    def _linked(self) -> Sequence[bool]:
-        return self.problem.reaching
 
     def _choose(self, xor: int, ready: int) -> int:
         return self._promise(xor, ready)[2]

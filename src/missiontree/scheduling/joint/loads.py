@@ -19,7 +19,7 @@ from missiontree.scheduling.joint.problem import JointProblem
 
 SCALE = 1_000_000
 ROUNDS = 400
-VISITS = 4_000_000
+VISITS = 2_000_000
 """Nodes looked at in all rounds together."""
 
 
@@ -91,7 +91,9 @@ def _gone(problem: JointProblem, paths: Paths, upper: int, lower: int) -> list[i
             head[kind] = min(head[kind], paths.head[leaf])
             tail[kind] = min(tail[kind], paths.tail[leaf])
     both = [before + after for before, after in zip(head, tail, strict=True)]
-    return [span if span <= lower else 0 for span in both]  # a type that may have nothing to do must not add to the bound
+    return [
+        span if span <= lower else 0 for span in both
+    ]  # a type that may have nothing to do must not add to the bound
 
 
 def _cheapest(problem: JointProblem, paths: Paths, price: Sequence[int], upper: int) -> tuple[int, list[int]]:

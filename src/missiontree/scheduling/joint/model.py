@@ -40,11 +40,20 @@ class JointModel:
         self.problem, self.paths, self.lower, self.upper, self.form = problem, paths, lower, upper, form
         self.model: Any = cp_model.CpModel()
         self.makespan = self.model.new_int_var(lower, upper, "makespan")
-        self.taken: list[Any] = [None] * len(problem.kind)  # a literal; True where a node is always selected; False where never
+        self.taken: list[Any] = [None] * len(
+            problem.kind
+        )  # a literal; True where a node is always selected; False where never
         self.start: list[Any] = [None] * len(problem.kind)
         self.end: list[Any] = [None] * len(problem.kind)
         self._needs_span = self._named()
-        for add in (self.add_selection, self.add_times, self.add_spans, self.add_precedence, self.add_robots, self.add_loads):
+        for add in (
+            self.add_selection,
+            self.add_times,
+            self.add_spans,
+            self.add_precedence,
+            self.add_robots,
+            self.add_loads,
+        ):
             add()
         self.model.minimize(self.makespan)
 
@@ -199,20 +208,21 @@ class JointModel:
     def hint(self, listed: Listed) -> None:
         """Begin the search at a schedule."""
         problem = self.problem
-        self.model.add_hint(self.makespan, listed.makespan)
+        hinted: set[int] = set()  # a variable may be hinted once; several nodes may share a literal
+
+        def add(variable: Any, value: int) -> None:
+            if hasattr(variable, "index") and variable.index not in hinted:
+                hinted.add(variable.index)
+                self.model.add_hint(variable, value)
+
+        add(self.makespan, listed.makespan)
         for xor, child in listed.chosen.items():
             for other in problem.children[xor]:
-                literal = self.taken[other]
-                if literal is not True and literal is not False:
-                    self.model.add_hint(literal, other == child)
+                add(self.taken[other], int(other == child))
         for leaf, start in listed.start.items():
             unit = problem.parent[leaf] if self._inside_unit(leaf) else leaf
-            if self.start[unit] is None:
-                continue
-            self.model.add_hint(self.start[unit], start)
-            end = self.end[unit]
-            if hasattr(end, "index"):
-                self.model.add_hint(end, start + problem.duration[leaf])
+            add(self.start[unit], start)
+            add(self.end[unit], start + problem.duration[leaf])
 
     def read(self, value: Callable[[Any], int]) -> tuple[dict[int, int], dict[int, int]]:
         """Child of each reached XOR, and start of each selected leaf, of a solution."""

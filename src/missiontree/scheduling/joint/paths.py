@@ -47,23 +47,33 @@ def paths_of(problem: JointProblem) -> Paths:
     A precedence counts between two nodes only where the one cannot be selected without the other.
     """
     before, after = certain_links(problem)
+    head, end = _heads(problem, before)
+    tail, rest = _tails(problem, after)
+    return Paths(head, end, tail, rest)
+
+
+def _heads(problem: JointProblem, before: Sequence[Iterable[int]]) -> tuple[list[int], list[int]]:
     kind, parent, children, duration = problem.kind, problem.parent, problem.children, problem.duration
-    nodes = len(kind)
-    head, end, tail, rest = [0] * nodes, [0] * nodes, [0] * nodes, [0] * nodes
+    head, end = [0] * len(kind), [0] * len(kind)
     for event in problem.order:
         node = event >> 1
-        if event & 1:
-            if kind[node] == LEAF:
-                end[node] = head[node] + duration[node]
-            elif kind[node] == AND:
-                end[node] = max([end[child] for child in children[node]], default=head[node])
-            else:
-                end[node] = min([end[child] for child in children[node]], default=NEVER)
-        else:
+        if not event & 1:
             found = head[parent[node]] if node else 0
             for other in before[node]:
                 found = max(found, end[other])
             head[node] = found
+        elif kind[node] == LEAF:
+            end[node] = head[node] + duration[node]
+        elif kind[node] == AND:
+            end[node] = max([end[child] for child in children[node]], default=head[node])
+        else:
+            end[node] = min([end[child] for child in children[node]], default=NEVER)
+    return head, end
+
+
+def _tails(problem: JointProblem, after: Sequence[Iterable[int]]) -> tuple[list[int], list[int]]:
+    kind, parent, children, duration = problem.kind, problem.parent, problem.children, problem.duration
+    tail, rest = [0] * len(kind), [0] * len(kind)
     for event in reversed(problem.order):
         node = event >> 1
         if event & 1:
@@ -77,7 +87,7 @@ def paths_of(problem: JointProblem) -> Paths:
             rest[node] = max([rest[child] for child in children[node]], default=tail[node])
         else:
             rest[node] = min([rest[child] for child in children[node]], default=NEVER)
-    return Paths(head, end, tail, rest)
+    return tail, rest
 
 
 def certain_links(problem: JointProblem) -> tuple[list[Iterable[int]], list[Iterable[int]]]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from missiontree.mission.columns import AND, LEAF, TreeColumns
+from missiontree.mission.columns import LEAF, TreeColumns
 
 
 @dataclass(frozen=True)
@@ -139,6 +139,4 @@ def problem_of(columns: TreeColumns) -> JointProblem:
             after[first] = []
         after[first].append(second)
     count = columns.count if columns.count is not None else [1] * columns.robots
-    return JointProblem(
-        columns.kind, columns.parent, children, columns.robot, columns.duration, before, after, count
-    )
+    return JointProblem(columns.kind, columns.parent, children, columns.robot, columns.duration, before, after, count)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from missiontree.mission.columns import LEAF, XOR
 from missiontree.scheduling.joint.compiled import Engine
-from missiontree.scheduling.joint.kernel.shop import CHANCE, Shop, State
+from missiontree.scheduling.joint.kernel.shop import BEST, Shop, State
 from missiontree.scheduling.joint.listing import Listed
 from missiontree.scheduling.joint.problem import JointProblem
 
@@ -38,10 +38,14 @@ class Workshop:
     engine: Engine
     outer: dict[int, int]
 
-    def improved(self, target: int, ended: Callable[[], bool]) -> None:
-        """Search until the best reaches the target or ``ended`` answers true, which is asked every so many iterations."""
-        while not ended():
-            if self.engine.improve(self.shop, self.state, self.engine.slice, target) <= target:
+    def improved(self, target: int, ended: Callable[[bool], bool]) -> None:
+        """Search until the best reaches the target or ``ended``, told now and then whether there is a new best, answers true."""
+        best = int(self.state.numbers[BEST])
+        better = True
+        while not ended(better):
+            now = int(self.engine.improve(self.shop, self.state, self.engine.slice, target))
+            better, best = now < best, now
+            if best <= target:
                 return
 
     def best(self) -> Listed:
@@ -68,7 +72,9 @@ class Workshop:
         return Listed(makespan, start, dict.fromkeys(start, 0), chosen)
 
 
-def workshop_of(problem: JointProblem, listed: Listed, engine: Engine, seed: int, *, closed: Callable[[int], bool]) -> Workshop:
+def workshop_of(
+    problem: JointProblem, listed: Listed, engine: Engine, seed: int, *, closed: Callable[[int], bool]
+) -> Workshop:
     """
     The shop of the selection of a schedule, in the order of that schedule.
 
@@ -94,7 +100,9 @@ def workshop_of(problem: JointProblem, listed: Listed, engine: Engine, seed: int
             items.add(node, [node])
         elif problem.kind[node] == XOR and all(problem.kind[child] == LEAF for child in children):
             taken = listed.chosen[node]
-            items.add(node, [child for child in children if child == taken or not (closed(child) or _linked(problem, child))])
+            items.add(
+                node, [child for child in children if child == taken or not (closed(child) or _linked(problem, child))]
+            )
         else:
             if problem.kind[node] == XOR:
                 outer[node] = listed.chosen[node]
@@ -200,5 +208,20 @@ def _state(
             first[problem.robot[leaf[way[item]]]] = item
     numbers = [0, 1 << 60, 1 + seed % 2147483645, 0, 0]
     zeros = [0] * count
-    columns = (way, following, leading, first, zeros, zeros, zeros, zeros, [0] * len(leaf), way, following, first, zeros, numbers)
+    columns = (
+        way,
+        following,
+        leading,
+        first,
+        zeros,
+        zeros,
+        zeros,
+        zeros,
+        [0] * len(leaf),
+        way,
+        following,
+        first,
+        zeros,
+        numbers,
+    )
     return State(*[engine.column(list(column)) for column in columns])

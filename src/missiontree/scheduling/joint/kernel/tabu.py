@@ -34,7 +34,13 @@ def chance(state: State, below: int) -> int:
     """A whole number from 0 to ``below`` - 1 (the multiplicative generator of Lehmer with the constants of Park and Miller)."""
     drawn = state.numbers[CHANCE] * 48271 % 2147483647
     state.numbers[CHANCE] = drawn
-    return drawn % below
+    return int(drawn % below)
+
+
+def continues(shop: Shop, state: State, item: int, length: int) -> bool:
+    """Whether an item continues a critical path that is so long by now."""
+    whole = length + duration_of(shop, state, item) + state.tail[item]
+    return bool(state.head[item] == length and whole == state.numbers[MAKESPAN])
 
 
 def critical_path(shop: Shop, state: State) -> int:
@@ -53,16 +59,14 @@ def critical_path(shop: Shop, state: State) -> int:
         length = state.head[item] + duration_of(shop, state, item)
         follow, seen = -1, 0
         other = state.following[item]
-        if other >= 0 and state.head[other] == length:
-            if length + duration_of(shop, state, other) + state.tail[other] == makespan:
-                follow, seen = other, 1
+        if other >= 0 and continues(shop, state, other, length):
+            follow, seen = other, 1
         for entry in range(shop.after[item], shop.after[item + 1]):
             other = shop.afters[entry]
-            if state.head[other] == length:
-                if length + duration_of(shop, state, other) + state.tail[other] == makespan:
-                    seen += 1
-                    if chance(state, seen) == 0:
-                        follow = other
+            if continues(shop, state, other, length):
+                seen += 1
+                if chance(state, seen) == 0:
+                    follow = other
         item = follow
     return count
 
@@ -83,7 +87,7 @@ def improve(shop: Shop, state: State, iterations: int, target: int) -> int:
         if state.numbers[MAKESPAN] < state.numbers[BEST]:
             keep(state)
             state.numbers[SINCE] = 0
-    return state.numbers[BEST]
+    return int(state.numbers[BEST])
 
 
 def step(shop: Shop, state: State, at_random: bool) -> None:
