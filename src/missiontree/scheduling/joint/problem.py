@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from missiontree.mission.columns import LEAF, TreeColumns
+from missiontree.errors import InputError
+from missiontree.mission.columns import AND, LEAF, TreeColumns
 
 
 @dataclass(frozen=True)
@@ -93,7 +94,7 @@ class JointProblem:
 
     @cached_property
     def reaching(self) -> list[bool]:
-        """Of each node, whether a precedence leads from a node below it (but not from itself) to one that is not below it."""
+        """Of each gate, whether a precedence leads from a child, or from below it, to a node that is not below that child."""
         nodes = len(self.kind)
         reach = [False] * nodes
         size = [1] * nodes
@@ -108,12 +109,10 @@ class JointProblem:
             free[node] = first[node] + 1
         for node, others in enumerate(self.after):
             for other in others:
-                above = self.parent[node]
-                while above >= 0 and not first[above] <= first[other] < first[above] + size[above]:
-                    if reach[above]:
-                        break
-                    reach[above] = True
-                    above = self.parent[above]
+                child = node
+                while not first[child] <= first[other] < first[child] + size[child]:
+                    child = self.parent[child]
+                    reach[child] = True
         return reach
 
     @cached_property
@@ -123,12 +122,23 @@ class JointProblem:
 
 
 def problem_of(columns: TreeColumns) -> JointProblem:
-    """The tree as it stands."""
+    """
+    The tree as it stands.
+
+    Raises
+    ------
+    InputError
+        If an AND has no children: it has neither a start nor an end, and what should precede it is open.
+    """
     nodes = len(columns.kind)
     nothing: list[int] = []
     children: list[list[int]] = [nothing if kind == LEAF else [] for kind in columns.kind]
     for node in range(1, nodes):
         children[columns.parent[node]].append(node)
+    for node, kind in enumerate(columns.kind):
+        if kind == AND and not children[node]:
+            message = f"{columns.label(node)} has no children, so it has no time at which it starts or ends"
+            raise InputError(message, accepted="ANDs with children", hint="Give it an action that takes no time.")
     before: list[list[int]] = [nothing] * nodes
     after: list[list[int]] = [nothing] * nodes
     for first, second in columns.precedence:
