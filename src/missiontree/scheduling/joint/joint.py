@@ -32,6 +32,8 @@ SEARCH_S = 20.0
 """What each search may take where there is no limit."""
 PATIENCE = 0.3
 """Of the time of the tabu search, without a new best after which it ends."""
+TRIES = 300
+"""Moves per action without a new best after which it ends as well."""
 MOST_FOR_TABU = 20_000
 MOST_FOR_SOLVER = 12_000
 """Leaves above which these are not worth their while."""
@@ -181,7 +183,8 @@ def _tabu(view: _View, known: Known, control: Control) -> None:
         nonlocal since
         now = control.clock()
         since = now if better else since
-        return now - since >= PATIENCE * turn.limit or turn.over()
+        in_vain = now - since >= PATIENCE * turn.limit or workshop.in_vain >= TRIES * workshop.items
+        return in_vain or turn.over()
 
     workshop.improved(known.bound, ended)
     known.offer(workshop.best())

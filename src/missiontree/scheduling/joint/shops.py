@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from missiontree.mission.columns import LEAF, XOR
 from missiontree.scheduling.joint.compiled import Engine
-from missiontree.scheduling.joint.kernel.shop import BEST, Shop, State
+from missiontree.scheduling.joint.kernel.shop import BEST, SINCE, Shop, State
 from missiontree.scheduling.joint.listing import Listed
 from missiontree.scheduling.joint.problem import JointProblem
 
@@ -37,6 +37,16 @@ class Workshop:
     leaf: list[int]
     engine: Engine
     outer: dict[int, int]
+
+    @property
+    def items(self) -> int:
+        """How many actions and events there are."""
+        return len(self.state.way)
+
+    @property
+    def in_vain(self) -> int:
+        """Moves since the best was found."""
+        return int(self.state.numbers[SINCE])
 
     def improved(self, target: int, ended: Callable[[bool], bool]) -> None:
         """Search until the best reaches the target or ``ended``, told now and then whether there is a new best, answers true."""

@@ -1,0 +1,77 @@
+"""``missiontree schedule``: three forms of instances, what is told of them, and with which exit code."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from tests.cli.running import Shell
+from tests.formats.test_coalitions import GOOD
+from tests.formats.tree_files import small
+
+SHOP = "2 2\n2 2 0 2 1 2 2 0 2 1 2\n2 2 0 2 1 2 2 0 2 1 2\n"
+
+
+def written(folder: Path, name: str, text: str) -> str:
+    (folder / name).write_text(text, encoding="utf-8")
+    return name
+
+
+def test_a_job_shop_is_told_with_its_proof_and_its_actions(shell: Shell, tmp_path: Path) -> None:
+    """Eight seconds of work for two machines: 4 s, by load."""
+    ran = shell("schedule", written(tmp_path, "shop.txt", SHOP))
+    assert ran.code == 0
+    lines = [" ".join(line.split()) for line in ran.out.splitlines()]
+    assert lines[0] == "shop.txt: 15 nodes, 8 leaves, 2 robots"
+    assert lines[1].startswith("Makespan 4 s, optimal, confirmed by")
+    assert "machine-0 2 4 100 %" in lines
+    assert any(line.startswith("0 2 machine-0 Operation 1 of job") for line in lines)
+
+
+def test_coalitions_are_told_beside_what_was_published(shell: Shell, tmp_path: Path) -> None:
+    """Robot 1 does task 2 alone after task 1 with robot 0: 5 + 4 + 5 + 2.5 + 10 = 26.5 s."""
+    ran = shell("schedule", written(tmp_path, "mission.json", json.dumps(GOOD)))
+    assert ran.code == 0
+    assert "Makespan 26.5 s, optimal, confirmed by labels" in ran.out
+    assert "Published for this instance: 24.500 s." in ran.out
+
+
+def test_json_tells_choices_actions_and_what_was_asked_for(shell: Shell, tmp_path: Path) -> None:
+    """Leaf 2 (3 s, robot 0), then leaf 4 (1 s, robot 1) rather than leaf 3 (2 s)."""
+    ran = shell("schedule", written(tmp_path, "tree.json", json.dumps(small())), "--json", "--seed", "3", "--no-solver")
+    told = json.loads(ran.out)
+    assert (told["status"], told["makespan_s"], told["bound_s"], told["claim"], told["seed"]) == ("optimal", 4, 4.0, "proven", 3)
+    assert told["chosen"] == {"1": 4}
+    assert [(deed["start_s"], deed["end_s"], deed["robot"], deed["what"]) for deed in told["actions"]] == [
+        (0, 3, "robot-0", "leaf 2"),
+        (3, 4, "robot-1", "leaf 4"),
+    ]
+
+
+def test_equal_robots_are_named_one_by_one_and_rank_refuses_them(shell: Shell, tmp_path: Path) -> None:
+    file = written(tmp_path, "tree.json", json.dumps(small() | {"count": [2, 1]}))
+    ran = shell("schedule", file)
+    assert ran.code == 0
+    assert "robot-0-1" in ran.out
+    refused = shell("rank", file)
+    assert refused.code == 2
+    assert "count: ranking takes trees of single robots" in refused.err
+
+
+def test_what_cannot_be_done_and_what_is_no_instance_have_their_codes(shell: Shell, tmp_path: Path) -> None:
+    stuck = {"kind": [2], "parent": [-1], "robot": [0], "utility": [0], "robots": 1}
+    ran = shell("schedule", written(tmp_path, "stuck.json", json.dumps(stuck)))
+    assert (ran.code, "Cannot be done" in ran.out) == (1, True)
+    other = shell("schedule", written(tmp_path, "other.json", '{"a": 1}'))
+    assert other.code == 2
+    assert "this is no instance of a form that is known here" in other.err
+    bad = shell("schedule", written(tmp_path, "bad.txt", "1 1\n1 1 5 5\n"))
+    assert bad.code == 2
+    assert "bad.txt:2" in bad.err
+    assert shell("schedule", "bad.txt", "--time-limit", "-1").code == 2
+
+
+def test_more_actions_than_fit_are_counted(shell: Shell, tmp_path: Path) -> None:
+    lines = "\n".join(["25 1"] + ["2 1 0 1 1 0 1"] * 25)
+    ran = shell("schedule", written(tmp_path, "long.txt", lines))
+    assert "50 actions; --json lists them all" in ran.out
