@@ -30,7 +30,20 @@ GOOD = TreeSchedule(
 
 def test_a_schedule_that_keeps_all_rules_has_no_fault() -> None:
     assert check_tree(TREE, GOOD) == ()
-    assert check_tree(TREE, replace(GOOD, chosen={1: 3}, start_s={2: 0, 6: 5, 3: 3}, robot={2: 0, 6: 0, 3: 0}, status="feasible", makespan_s=9)) == ()
+    assert (
+        check_tree(
+            TREE,
+            replace(
+                GOOD,
+                chosen={1: 3},
+                start_s={2: 0, 6: 5, 3: 3},
+                robot={2: 0, 6: 0, 3: 0},
+                status="feasible",
+                makespan_s=9,
+            ),
+        )
+        == ()
+    )
 
 
 def test_every_damage_is_found() -> None:
@@ -44,8 +57,12 @@ def test_every_damage_is_found() -> None:
         "before the mission": replace(GOOD, start_s={2: -1, 6: 3, 4: 7}),
         "of which there are 1": replace(GOOD, robot={2: 0, 6: 1, 4: 0}),
         "while robot 0 of robot-0 does": replace(GOOD, start_s={2: 0, 6: 2, 4: 7}),
-        "before AND 5 ends": replace(GOOD, start_s={2: 0, 6: 3, 4: 6}, makespan_s=7, certificate=replace(bound, bound=7.0)),
-        "before leaf 2 ends": replace(GOOD, chosen={1: 3}, start_s={2: 2, 6: 5, 3: 0}, robot={2: 0, 6: 0, 3: 0}, makespan_s=9),
+        "before AND 5 ends": replace(
+            GOOD, start_s={2: 0, 6: 3, 4: 6}, makespan_s=7, certificate=replace(bound, bound=7.0)
+        ),
+        "before leaf 2 ends": replace(
+            GOOD, chosen={1: 3}, start_s={2: 2, 6: 5, 3: 0}, robot={2: 0, 6: 0, 3: 0}, makespan_s=9
+        ),
         "not the end of the last action": replace(GOOD, makespan_s=9),
         "lies above the makespan": replace(GOOD, certificate=replace(bound, bound=9.0)),
         "called optimal": replace(GOOD, certificate=replace(bound, bound=7.0)),

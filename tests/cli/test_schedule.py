@@ -40,7 +40,13 @@ def test_json_tells_choices_actions_and_what_was_asked_for(shell: Shell, tmp_pat
     """Leaf 2 (3 s, robot 0), then leaf 4 (1 s, robot 1) rather than leaf 3 (2 s)."""
     ran = shell("schedule", written(tmp_path, "tree.json", json.dumps(small())), "--json", "--seed", "3", "--no-solver")
     told = json.loads(ran.out)
-    assert (told["status"], told["makespan_s"], told["bound_s"], told["claim"], told["seed"]) == ("optimal", 4, 4.0, "proven", 3)
+    assert (told["status"], told["makespan_s"], told["bound_s"], told["claim"], told["seed"]) == (
+        "optimal",
+        4,
+        4.0,
+        "proven",
+        3,
+    )
     assert told["chosen"] == {"1": 4}
     assert [(deed["start_s"], deed["end_s"], deed["robot"], deed["what"]) for deed in told["actions"]] == [
         (0, 3, "robot-0", "leaf 2"),

@@ -11,7 +11,7 @@ from missiontree.mission.coalitions import CoalitionMission, CoalitionTask
 
 def drawn(seed: int, tasks: int = 4) -> CoalitionMission:
     """Up to three robots and three skills."""
-    luck = Random(seed)
+    luck = Random(seed)  # noqa: S311 - luck for tests, not for secrets
     robots, skills = luck.randint(1, 3), luck.randint(1, 3)
     pairs = [(one, other) for one in range(tasks) for other in range(one + 1, tasks) if luck.random() < 0.2]
     return CoalitionMission(

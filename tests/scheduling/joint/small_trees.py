@@ -26,7 +26,7 @@ def columns(
 
 def drawn(seed: int, leaves: int = 8) -> TreeColumns:
     """A tree of at most that many leaves, with links between any nodes, and with actions that take no time."""
-    luck = Random(seed)
+    luck = Random(seed)  # noqa: S311 - luck for tests, not for secrets
     robots = luck.randint(1, 3)
     kind, parent, robot, duration = [luck.choice((AND, AND, XOR))], [-1], [0], [0]
     gates, made = [0], 0

@@ -26,7 +26,9 @@ def test_an_order_with_a_way_that_need_not_be_taken_does_not_lengthen_the_path()
 
 def test_the_load_is_shared_by_the_best_prices() -> None:
     """Three tasks, 4 s on either robot: 12 s of work for two, so 6 s by load; whole tasks need 8."""
-    tree = columns([AND] + [XOR] * 3 + [LEAF] * 6, [-1, 0, 0, 0, 1, 1, 2, 2, 3, 3], [0] * 4 + [0, 1] * 3, [0] * 4 + [4] * 6)
+    tree = columns(
+        [AND] + [XOR] * 3 + [LEAF] * 6, [-1, 0, 0, 0, 1, 1, 2, 2, 3, 3], [0] * 4 + [0, 1] * 3, [0] * 4 + [4] * 6
+    )
     problem = problem_of(tree)
     paths = paths_of(problem)
     assert paths.bound == 4

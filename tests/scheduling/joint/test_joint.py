@@ -74,7 +74,9 @@ def test_the_trap_of_shared_starts_and_ends_is_not_stepped_into() -> None:
 
 def test_a_slower_robot_is_taken_where_the_quick_one_would_be_late() -> None:
     """Two tasks of 3 s by robot 0 or 4 s by robot 1: together 4 s, one after the other on the quick robot 6 s."""
-    tree = columns([AND, XOR, XOR, LEAF, LEAF, LEAF, LEAF], [-1, 0, 0, 1, 1, 2, 2], [0, 0, 0, 0, 1, 0, 1], [0, 0, 0, 3, 4, 3, 4])
+    tree = columns(
+        [AND, XOR, XOR, LEAF, LEAF, LEAF, LEAF], [-1, 0, 0, 1, 1, 2, 2], [0, 0, 0, 0, 1, 0, 1], [0, 0, 0, 3, 4, 3, 4]
+    )
     found = schedule_tree(tree, Control(time_limit_s=30.0))
     assert (found.status, found.makespan_s) == ("optimal", 4)
 
@@ -110,5 +112,7 @@ def test_time_that_is_up_from_the_start_still_gives_a_schedule() -> None:
 
 def test_the_same_seed_gives_the_same_schedule() -> None:
     tree = drawn(7, leaves=8)
-    first, second = (schedule_tree(tree, Control(time_limit_s=0.3, clock=Late(), seed=5), solver=False) for _ in range(2))
+    first, second = (
+        schedule_tree(tree, Control(time_limit_s=0.3, clock=Late(), seed=5), solver=False) for _ in range(2)
+    )
     assert first == second

@@ -18,7 +18,7 @@ from missiontree.scheduling.joint.shops import Workshop, workshop_of
 
 def shop(seed: int, jobs: int = 4, machines: int = 3) -> TreeColumns:
     """A job shop drawn by chance."""
-    luck = Random(seed)
+    luck = Random(seed)  # noqa: S311 - luck for tests, not for secrets
     lines = [f"{jobs} {machines}"]
     for _ in range(jobs):
         words = [luck.randint(1, 4)]
@@ -41,7 +41,9 @@ def started(tree: TreeColumns, engine: Engine) -> tuple[JointProblem, Workshop]:
 
 def faults(tree: TreeColumns, found: Listed) -> tuple[object, ...]:
     certificate = Certificate(claim="bounded", method="load", bound=0.0)
-    return check_tree(tree, TreeSchedule("feasible", certificate, found.chosen, found.start, found.robot, found.makespan))
+    return check_tree(
+        tree, TreeSchedule("feasible", certificate, found.chosen, found.start, found.robot, found.makespan)
+    )
 
 
 def test_the_best_is_a_schedule_and_never_longer_than_the_first() -> None:

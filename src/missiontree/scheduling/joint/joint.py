@@ -27,7 +27,10 @@ from missiontree.scheduling.joint.shops import workshop_of
 STRETCHES = (1.0, 0.0, 1.03, 1.08, 1.2, 1.5, 2.0, 3.0)
 """Targets of list schedules, as multiples of the bound."""
 BALANCE_SHARE, FLIP_SHARE, TABU_SHARE = 0.05, 0.05, 0.3
-"""Of the time limit that is left."""
+BALANCE_ALONE = 0.4
+"""Of the time limit that is left; the second, where robots are equal and the tabu search has no place."""
+NOISE = 0.2
+"""By how much the urgency of an action is shaken in later list schedules, as a share."""
 SEARCH_S = 20.0
 """What each search may take where there is no limit."""
 PATIENCE = 0.3
@@ -153,12 +156,14 @@ def _balances(view: _View, known: Known, control: Control) -> Iterator[None]:
     """Selections that keep robots about equally busy, as long as the load is what binds."""
     if known.method != "load":
         return
-    turn, luck, rounds = _Turn(control, BALANCE_SHARE), Random(control.seed), 0  # noqa: S311 - luck for a search
-    while rounds < len(POWERS) or (rounds < 200 and not turn.over()):
-        powers = POWERS[rounds % len(POWERS)]
+    share = BALANCE_SHARE if max(view.problem.count) == 1 else BALANCE_ALONE
+    turn, luck, rounds = _Turn(control, share), Random(control.seed), 0  # noqa: S311 - luck for a search
+    while rounds < len(POWERS) or (rounds < 2000 and not turn.over()):
+        chosen = balanced(view.smaller, view.price, POWERS[rounds % len(POWERS)], luck, control.ended)
+        noise = NOISE if rounds >= len(POWERS) else 0.0
+        urgency = [each * (1.0 + noise * luck.random()) for each in view.urgency]
         rounds += 1
-        chosen = balanced(view.smaller, view.price, powers, luck, control.ended)
-        one = view.whole(listed(view.smaller, view.shorter, view.urgency, None, chosen))
+        one = view.whole(listed(view.smaller, view.shorter, urgency, None, chosen))
         known.offer(view.pushed(one, known, control))
         yield
 

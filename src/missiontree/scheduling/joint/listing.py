@@ -74,7 +74,7 @@ def leaves_below(problem: JointProblem) -> list[int]:
 def listed(
     problem: JointProblem,
     paths: Paths,
-    urgency: Sequence[int],
+    urgency: Sequence[float],
     aim: Aim | None = None,
     chosen: Mapping[int, int] | None = None,
 ) -> Listed:
@@ -100,7 +100,7 @@ class _Listing:
         self,
         problem: JointProblem,
         paths: Paths,
-        urgency: Sequence[int],
+        urgency: Sequence[float],
         aim: Aim | None,
         chosen: Mapping[int, int],
     ) -> None:
@@ -156,7 +156,7 @@ class _Listing:
         left: dict[int, int],
         waiting: list[int],
         ready: list[int],
-        queue: list[tuple[int, int]],
+        queue: list[tuple[float, int]],
     ) -> None:
         """A node has ended; so may nodes above it."""
         parent = self.problem.parent
@@ -175,7 +175,7 @@ class _Listing:
                 return
             node = above
 
-    def _drop(self, xor: int, child: int, waiting: list[int], ready: list[int], queue: list[tuple[int, int]]) -> None:
+    def _drop(self, xor: int, child: int, waiting: list[int], ready: list[int], queue: list[tuple[float, int]]) -> None:
         """What is not selected holds nobody up."""
         problem = self.problem
         if not problem.reaching[xor]:

@@ -19,6 +19,8 @@ from missiontree.scheduling.joint.problem import JointProblem
 
 SCALE = 1_000_000
 ROUNDS = 400
+MOST_ALONE = 32
+"""Types looked at one by one."""
 VISITS = 2_000_000
 """Nodes looked at in all rounds together."""
 
@@ -26,14 +28,14 @@ VISITS = 2_000_000
 @dataclass(frozen=True)
 class Loads:
     """
-    A bound and the prices that prove it.
+    A bound, and the best prices found.
 
     Parameters
     ----------
     bound
         No schedule ends before.
     price
-        Of a unit of time, by robot type; they sum up to about a million.
+        Of a unit of time, by robot type, to choose ways by; they sum up to about a million.
     """
 
     bound: int
@@ -59,12 +61,18 @@ def loads_of(problem: JointProblem, paths: Paths, lower: int, upper: int, ended:
     weight = [1.0 / types] * types
     best = Loads(lower, [SCALE // types + 1] * types)
     rounds = max(3, min(ROUNDS, VISITS // len(problem.kind)))
-    rate = (log(types + 1) / rounds) ** 0.5
+    if all(kind in {LEAF, AND} or len(below) < 2 for kind, below in zip(problem.kind, problem.children, strict=True)):
+        rounds = 0  # nothing to choose, so that no weighing of types bounds more than the heaviest type alone
+    rate = (log(types + 1) / max(1, rounds)) ** 0.5
     gone = _gone(problem, paths, upper, lower)
-    for _ in range(rounds):
+    for turn in range(-min(types, MOST_ALONE), rounds):
         if ended() or best.bound >= upper:
             break
-        price = [max(1, round(SCALE * part)) for part in weight]
+        if turn < 0:  # first each type by itself
+            price = [0] * types
+            price[turn] = 1
+        else:
+            price = [max(1, round(SCALE * part)) for part in weight]
         least, load = _cheapest(problem, paths, price, upper)
         if least >= NEVER:
             return Loads(upper, best.price)  # no way is left below the makespan that is known
@@ -72,7 +80,9 @@ def loads_of(problem: JointProblem, paths: Paths, lower: int, upper: int, ended:
         scale = sum(price[kind] * problem.count[kind] for kind in range(types))
         bound = min(upper, -(-(least + fixed) // scale))
         if bound > best.bound:
-            best = Loads(bound, price)
+            best = Loads(bound, price if turn >= 0 else best.price)
+        if turn < 0:
+            continue
         per_robot = [load[kind] / problem.count[kind] + gone[kind] for kind in range(types)]
         most = max(per_robot) or 1.0
         weight = [part * exp(rate * (work / most)) for part, work in zip(weight, per_robot, strict=True)]

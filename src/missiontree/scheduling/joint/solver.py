@@ -79,12 +79,12 @@ def solve(
     found
         Told of every makespan found.
     """
+    ends = time.monotonic() + max(0.01, limit_s)  # importing and building count
     model = JointModel(problem, paths, lower, upper, form)
     if hint is not None:
         model.hint(hint)
     room = _Room(Solved("unknown", lower, {}, {}), found)
-    ends = time.monotonic() + max(0.01, limit_s)
-    solver = _solver(seed, limit_s)
+    solver = _solver(seed, ends - time.monotonic())
     worker = threading.Thread(target=_work, args=(solver, model, room, upper), daemon=True)
     worker.start()
     while worker.is_alive():
