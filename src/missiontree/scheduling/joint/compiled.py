@@ -13,6 +13,7 @@ from typing import Any
 from missiontree.scheduling.joint.kernel import shop, tabu
 
 SOURCES = (shop, tabu)
+WORTH_ACTIONS, WORTH_S = 40, 5.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +67,16 @@ def fast_engine() -> Engine:
     return Engine(names["measure"], names["keep"], names["improve"], column, 2000)
 
 
-def best_engine() -> Engine:
-    """The quickest there is."""
-    return fast_engine() if can_compile() else PLAIN
+def engine_for(actions: int, limit_s: float) -> Engine:
+    """
+    The quicker one for a search.
+
+    Parameters
+    ----------
+    actions
+        Of the selection; where there are few, the search is over before a compiler is loaded.
+    limit_s
+        What the search may take; compiling takes some ten seconds, once after each install.
+    """
+    worth_it = actions >= WORTH_ACTIONS and (limit_s >= WORTH_S or fast_engine.cache_info().currsize > 0)
+    return fast_engine() if worth_it and can_compile() else PLAIN

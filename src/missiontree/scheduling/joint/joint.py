@@ -13,7 +13,7 @@ from missiontree.mission.control import Control, Progress
 from missiontree.mission.tree_schedule import TreeSchedule
 from missiontree.scheduling.joint.balance import POWERS, balanced
 from missiontree.scheduling.joint.chains import Contraction, contracted
-from missiontree.scheduling.joint.compiled import best_engine
+from missiontree.scheduling.joint.compiled import engine_for
 from missiontree.scheduling.joint.flips import flipped
 from missiontree.scheduling.joint.handing import handed_out
 from missiontree.scheduling.joint.justify import justified, reversed_in_time
@@ -181,7 +181,9 @@ def _tabu(view: _View, known: Known, control: Control) -> None:
     def closed(leaf: int) -> bool:
         return paths.head[leaf] + paths.rest[leaf] >= upper
 
-    workshop = workshop_of(view.problem, known.best, best_engine(), control.seed, closed=closed)
+    workshop = workshop_of(
+        view.problem, known.best, engine_for(len(known.best.start), turn.limit), control.seed, closed=closed
+    )
     since = control.clock()
 
     def ended(better: bool) -> bool:
