@@ -5,7 +5,7 @@ How short schedules are, and what is proven of them, where choices are part of t
 
     python -m benchmarks.scheduling --data FOLDER                          everything; a quarter of an hour
     python -m benchmarks.scheduling --only mission-1000 mission-4000 mission-100000 chains
-    python -m benchmarks.scheduling --data FOLDER --only mk06 --limit 120 --no-peers
+    python -m benchmarks.scheduling --data FOLDER --only mk06 --no-peers --bound-share 0.9
 
 Mission trees (each leaf a role of its own; budgets, utility and ``disjoint`` do not count) and chains are generated
 (:mod:`benchmarks.trees`, :mod:`benchmarks.chains`). A folder adds a row per instance found in it or below: flexible job shops
@@ -98,11 +98,11 @@ def warm() -> Instance:
     return shop_of("\n".join(lines))
 
 
-def measured(row: Row, seed: int, limit_s: float, *, peer: bool) -> str:
+def measured(row: Row, seed: int, limit_s: float, bound_share: float, *, peer: bool) -> str:
     """A line of the table."""
     control = Control(time_limit_s=limit_s, seed=seed)
     started = perf_counter()
-    schedule = schedule_instance(row.instance, control)
+    schedule = schedule_instance(row.instance, control, bound_share=bound_share)
     seconds = perf_counter() - started
     bound = schedule.certificate.bound
     gap = None if bound is None else abs(schedule.makespan_s - bound) / max(1.0, schedule.makespan_s)
@@ -156,6 +156,9 @@ def main() -> None:
     )
     parser.add_argument("--limit", type=float, metavar="S", help="seconds for each row (default: each row's own)")
     parser.add_argument("--no-peers", action="store_true", help="ours alone")
+    parser.add_argument(
+        "--bound-share", type=float, default=0.0, metavar="S", help="of CP-SAT's time, to raise the bound (default 0)"
+    )
     parser.add_argument("--seed", type=int, default=0, help="seed of every search (default 0)")
     given = parser.parse_args()
     peer = not given.no_peers and find_spec("pyjobshop") is not None
@@ -168,7 +171,8 @@ def main() -> None:
     count = 0
     for row in rows(given.data, set(given.only) if given.only else None):
         count += 1
-        print(measured(row, given.seed, row.limit_s if given.limit is None else given.limit, peer=peer), flush=True)
+        limit_s = row.limit_s if given.limit is None else given.limit
+        print(measured(row, given.seed, limit_s, given.bound_share, peer=peer), flush=True)
     if not count:
         parser.error("no row of that name; files need --data")
 

@@ -51,7 +51,7 @@ def read_instance(file: Path) -> Instance:
 
 
 def schedule_instance(
-    instance: Instance, control: Control | None = None, *, solver: bool = True
+    instance: Instance, control: Control | None = None, *, solver: bool = True, bound_share: float = 0.0
 ) -> TreeSchedule | CoalitionSchedule:
     """
     Choose and schedule for the least makespan. What is returned has passed the checker.
@@ -64,6 +64,8 @@ def schedule_instance(
         Time limit, stop token, listener, seed. Default: no limit; then a job shop that resists may take very long.
     solver
         Whether CP-SAT may be asked where bounds and search leave a gap. Default true.
+    bound_share
+        Of the time that is left for CP-SAT, from 0 to 1, what goes into raising the bound. Default 0.
     """
     limits = control or Control()
     faults: tuple[Fault, ...]
@@ -72,7 +74,7 @@ def schedule_instance(
         schedule = schedule_coalitions(instance, limits)
         faults = check_coalitions(instance, schedule)
     else:
-        schedule = schedule_tree(instance, limits, solver=solver)
+        schedule = schedule_tree(instance, limits, solver=solver, bound_share=bound_share)
         faults = check_tree(instance, schedule)
     if faults:
         raise InternalError(f"the checker refuses a schedule of our own making: {faults[0].message}")

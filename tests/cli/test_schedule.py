@@ -74,7 +74,10 @@ def test_what_cannot_be_done_and_what_is_no_instance_have_their_codes(shell: She
     bad = shell("schedule", written(tmp_path, "bad.txt", "1 1\n1 1 5 5\n"))
     assert bad.code == 2
     assert "bad.txt:2" in bad.err
-    assert shell("schedule", "bad.txt", "--time-limit", "-1").code == 2
+    fine = written(tmp_path, "shop.txt", SHOP)
+    for option, value in (("--time-limit", "-1"), ("--bound-share", "2")):
+        refused = shell("schedule", fine, option, value)
+        assert (refused.code, option in refused.err) == (2, True)
 
 
 def test_more_actions_than_fit_are_counted(shell: Shell, tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ from missiontree.cli.exits import Exit
 from missiontree.cli.interrupt import controlled
 from missiontree.cli.rank import seldom_collected
 from missiontree.cli.screen import remark, show
+from missiontree.errors import InputError
 
 LIMIT_S = 60.0
 
@@ -27,6 +28,12 @@ def command(
     solver: Annotated[
         bool, typer.Option("--solver/--no-solver", help="Ask CP-SAT where bounds and search leave a gap. Default yes.")
     ] = True,
+    bound_share: Annotated[
+        float,
+        typer.Option(
+            "--bound-share", metavar="SHARE", help="Of CP-SAT's time, from 0 to 1: for raising the bound. Default 0."
+        ),
+    ] = 0.0,
     seed: options.Seed = None,
     as_json: options.AsJson = False,
     colour: options.Colour = None,
@@ -37,13 +44,15 @@ def command(
     from missiontree.cli.schedule_view import Told, json_of, view_of
     from missiontree.instances import read_instance, schedule_instance
 
+    if not 0 <= bound_share <= 1:
+        raise InputError(f"--bound-share {bound_share:g}", accepted="a share from 0 to 1")
     if solver and not _solver_there() and not as_json:
         remark("CP-SAT is not installed (pip install ortools), so it is not asked", colour)
     with seldom_collected():
         instance = read_instance(file)
         started = perf_counter()
         with controlled(time_limit, seed or 0) as control:
-            schedule = schedule_instance(instance, control, solver=solver and _solver_there())
+            schedule = schedule_instance(instance, control, solver=solver and _solver_there(), bound_share=bound_share)
         told = Told(instance, schedule, file.name, seed or 0, time_limit, perf_counter() - started)
     if as_json:
         typer.echo(json_of(told), nl=False)

@@ -54,6 +54,15 @@ def test_with_solver_every_small_tree_is_solved_and_confirmed() -> None:
             assert (found.status, found.certificate.claim, found.makespan_s) == ("optimal", "proven", best)
 
 
+def test_bounds_raised_by_asking_are_not_above_the_optimum() -> None:
+    """Nine actions of 3 s, each on either of two machines: 27 s of work, 14 s by load, and 15 s as 3 does not divide 14."""
+    kind, parent = [AND] + [XOR] * 9 + [LEAF] * 18, [-1] + [0] * 9 + [1 + place // 2 for place in range(18)]
+    tree = columns(kind, parent, [0] * 10 + [0, 1] * 9, [0] * 10 + [3] * 18)
+    found = schedule_tree(tree, Control(time_limit_s=30.0), bound_share=0.5)
+    assert (found.status, found.makespan_s, found.certificate.bound) == ("optimal", 15, 15.0)
+    assert check_tree(tree, found) == ()
+
+
 def test_the_trap_of_shared_starts_and_ends_is_not_stepped_into() -> None:
     """Durations by robot [[4,3,4],[1,9,6],[4,7,8],[5,3,2]], task 3 after 1 and 2: 7 is feasible, and no path allows less than 4 + 2."""
     times = [[4, 3, 4], [1, 9, 6], [4, 7, 8], [5, 3, 2]]

@@ -44,7 +44,9 @@ LEAST_S = 0.2
 """Of time left, to ask the solver."""
 
 
-def schedule_tree(columns: TreeColumns, control: Control, *, solver: bool = True) -> TreeSchedule:
+def schedule_tree(
+    columns: TreeColumns, control: Control, *, solver: bool = True, bound_share: float = 0.0
+) -> TreeSchedule:
     """
     A selection and its schedule of least makespan, as far as the time allows; budgets, utility and ``disjoint`` do not count.
 
@@ -56,6 +58,8 @@ def schedule_tree(columns: TreeColumns, control: Control, *, solver: bool = True
         Its limit ends every step; the first schedule is made in any case.
     solver
         Whether CP-SAT may be asked where all else leaves a gap. Default true.
+    bound_share
+        Of the time that is left for CP-SAT, from 0 to 1, what goes into raising the bound instead of shortening the schedule. Default 0.
     """
     view = _View(problem_of(columns))
     if view.shorter.bound >= NEVER:
@@ -63,7 +67,7 @@ def schedule_tree(columns: TreeColumns, control: Control, *, solver: bool = True
         return TreeSchedule("infeasible", Certificate(claim="proven", method="selection", detail=detail), {}, {}, {}, 0)
     known = Known(view.first_list(), view.shorter.bound)
     if not known.closed:
-        for _ in _steps(view, known, control, solver=solver):
+        for _ in _steps(view, known, control, solver, bound_share):
             control.report(Progress("scheduling", 0, known.best.makespan, float(max(known.bound, known.word))))
             if known.closed or control.ended():
                 break
@@ -109,7 +113,7 @@ class _View:
         return justified(self.problem, self.mirror, self.paths, one, known.bound, control.ended)
 
 
-def _steps(view: _View, known: Known, control: Control, *, solver: bool) -> Iterator[None]:
+def _steps(view: _View, known: Known, control: Control, solver: bool, bound_share: float) -> Iterator[None]:
     """Each step leaves more known than there was, or nothing; the cheapest first."""
     yield from _lists(view, known)
     found = loads_of(view.smaller, view.shorter, known.bound, known.best.makespan, control.ended)
@@ -125,6 +129,7 @@ def _steps(view: _View, known: Known, control: Control, *, solver: bool) -> Iter
         _tabu(view, known, control)
         yield
     if solver and len(view.problem.leaves) <= MOST_FOR_SOLVER:
+        yield from _raise(view, known, control, bound_share)
         _solver(view, known, control)
         yield
 
@@ -197,6 +202,32 @@ def _tabu(view: _View, known: Known, control: Control) -> None:
     known.offer(workshop.best())
 
 
+def _raise(view: _View, known: Known, control: Control, share: float) -> Iterator[None]:
+    """
+    Ask whether anything ends by the bound; if not, raise it, by more each time; by less where no answer comes.
+
+    With the end given, windows of time are narrow, and many ways are closed (destructive bounds, Klein and Scholl, European Journal of
+    Operational Research 112, 1999).
+    """
+    from missiontree.scheduling.joint.solver import solve  # noqa: PLC0415 - heavy
+
+    turn, width = _Turn(control, share), 1
+    known.word = max(known.word, known.bound)
+    while share > 0 and width and known.word < known.best.makespan and not turn.over():
+        upper = min(known.word + width, known.best.makespan) - 1
+        left = turn.until - control.clock()
+        asked = solve(
+            view.problem, view.paths, known.word, upper, seed=control.seed, limit_s=left / 2, stop=control.stop
+        )
+        if asked.verdict == "infeasible":
+            known.word, width = upper + 1, 2 * width
+        elif asked.start:
+            known.offer(handed_out(view.problem, asked.chosen, asked.start))
+        else:
+            width //= 2
+        yield
+
+
 def _solver(view: _View, known: Known, control: Control) -> None:
     """Ask CP-SAT; and where it says that nothing is better, ask the model of the other form whether anything is."""
     from missiontree.scheduling.joint.solver import solve  # noqa: PLC0415 - heavy
@@ -212,7 +243,7 @@ def _solver(view: _View, known: Known, control: Control) -> None:
     one = solve(
         problem,
         view.paths,
-        known.bound,
+        max(known.bound, known.word),
         known.best.makespan,
         seed=control.seed,
         limit_s=left(),
@@ -221,7 +252,7 @@ def _solver(view: _View, known: Known, control: Control) -> None:
     )
     if one.start:
         known.offer(handed_out(problem, one.chosen, one.start))
-    known.word = min(one.bound, known.best.makespan)
+    known.word = min(max(one.bound, known.word), known.best.makespan)
     if known.closed or known.word < known.best.makespan or left() < LEAST_S or control.stop():
         return
     other = solve(
