@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from benchmarks.random_trees import Case
 from benchmarks.tied_budget import tied_mission
 from benchmarks.trees import instance, text_of
+from missiontree.allocation import crew
 from missiontree.allocation import rounds as module
 from missiontree.allocation.columns import flat_of_columns
 from missiontree.allocation.compiled import PLAIN, Engine, fast_engine
@@ -84,6 +85,52 @@ def test_compiled_and_plain_take_the_same_steps(monkeypatch: pytest.MonkeyPatch)
     assert told[False] == told[True]
     assert all(proven for proven, *_ in told[True])
     assert sum(nodes for _, nodes, *_ in told[True]) > 500
+
+
+@pytest.mark.parametrize("engine", [PLAIN, fast_engine()], ids=["plain", "compiled"])
+def test_several_searchers_find_what_one_finds(monkeypatch: pytest.MonkeyPatch, engine: Engine) -> None:
+    monkeypatch.setattr(module.Rounds, "_engine", lambda self, parts: engine)
+    monkeypatch.setattr(module, "can_compile", lambda: engine.fast)
+    monkeypatch.setattr(module, "SLICES", {True: 5, False: 5})
+    monkeypatch.setattr(crew, "SHARED_FROM", 10)
+    busy = 0
+    share = crew.Crew._share
+
+    def watched(self: crew.Crew, target: int) -> None:
+        nonlocal busy
+        share(self, target)
+        busy = max(busy, len(self._busy))
+
+    monkeypatch.setattr(crew.Crew, "_share", watched)
+    for seed in range(4):
+        told = []
+        for hands in (1, 3):
+            rounds = rounds_of(mission(90, 4, seed), 5)
+            rounds.hands = hands
+            assert rounds.run()
+            told.append([(entry.utility, entry.selection.choices) for entry in rounds.pool.listed()][:5])
+        assert told[0] == told[1]
+    assert busy == (3 if engine.fast else 1)  # in plain Python they would only take turns
+
+
+def test_a_stopped_crew_bounds_what_it_did_not_reach(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "SLICES", {True: 5, False: 5})
+    monkeypatch.setattr(crew, "SHARED_FROM", 10)
+    problem = mission(120, 4, 1)
+    done = rounds_of(problem, 1)
+    assert done.run()
+    best = done.pool.listed()[0].utility
+    ends = 0
+    for nodes in range(20, 120, 20):
+        stopped = rounds_of(problem, 3, nodes=(nodes, nodes))
+        stopped.hands = 3
+        monkeypatch.setattr(stopped, "_engine", lambda parts: fast_engine())
+        if stopped.run():
+            continue
+        ends += 1
+        assert stopped.bound is not None
+        assert stopped.bound >= best or any(entry.utility == best for entry in stopped.pool.listed())
+    assert ends >= 3
 
 
 def test_a_search_of_some_length_goes_on_at_the_fast_speed(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,9 +10,9 @@ from importlib.util import find_spec
 from types import FunctionType
 from typing import Any
 
-from missiontree.allocation.kernel import branching, columns, mending, pricing
+from missiontree.allocation.kernel import branching, columns, finishing, mending, pricing
 
-SOURCES = (pricing, mending, branching)
+SOURCES = (pricing, mending, finishing, branching)
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +82,7 @@ def fast_engine() -> Engine:
     for name, function in _functions().items():
         copy = FunctionType(function.__code__, names, name)
         copy.__module__ = function.__module__
-        names[name] = numba.njit(cache=True)(copy)
+        names[name] = numba.njit(cache=True, nogil=True)(copy)
 
     def column(values: Sequence[int]) -> Any:
         return np.array(values if len(values) else [0], dtype=np.int64)

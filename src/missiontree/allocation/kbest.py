@@ -48,13 +48,16 @@ class ExactKBest:
     patience
         Candidates of the plain stream refused before prices are used; fewer in large trees. Default 8.
     max_nodes
-        Nodes of branch and bound looked at before it is given up: compiled, and in plain Python. Default 5,000,000 and 50,000.
+        Nodes of branch and bound looked at before it is given up: compiled, and in plain Python. Default 50,000,000 and 50,000.
+    hands
+        Threads that search side by side where the search is compiled and long. Default 2; what is found does not depend on it.
     """
 
     max_examined: int = 200_000
     packing_steps: int = DEFAULT_STEPS
     patience: int = 8
-    max_nodes: tuple[int, int] = (5_000_000, 50_000)
+    max_nodes: tuple[int, int] = (50_000_000, 50_000)
+    hands: int = 2
 
     def __call__(self, tree: GroundedTree | Flat, fleet: Fleet, weights: Weights, k: int, control: Control) -> Ranking:
         """See :class:`missiontree.allocation.allocator.Allocator`."""
@@ -86,7 +89,9 @@ class _Road:
             return search.finished()
         purses = purses_of(self.flat, self.possible)
         core = core_of(self.flat, self.possible, purses)
-        rounds = Rounds(core, purses, preorder(self.flat), search.pool, self.control, settings.max_nodes)
+        rounds = Rounds(
+            core, purses, preorder(self.flat), search.pool, self.control, settings.max_nodes, settings.hands
+        )
         if purses.names and not self._given_up(settings.max_examined):
             search.bound_by(rounds.bound)
             if rounds.run():

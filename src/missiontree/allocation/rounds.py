@@ -16,13 +16,14 @@ from typing import Literal
 
 from missiontree.allocation.compiled import PLAIN, Engine, can_compile, fast_engine, is_compiled
 from missiontree.allocation.core import Core, Way
-from missiontree.allocation.kernel.columns import FINISHED, LAST, MET, PAUSED
+from missiontree.allocation.crew import Crew
+from missiontree.allocation.kernel.columns import FINISHED, LAST, PAUSED
 from missiontree.allocation.pool import Pool, start
 from missiontree.allocation.purses import Purses
 from missiontree.allocation.searched import Scale, Searched, scale_of
 from missiontree.mission.control import Control
 
-STEPS = 10  # of prices at each node
+STEPS = 20
 LARGE = 5_000  # parts from which compiling pays from the start
 TRIED_PLAIN = 150  # nodes at the slow speed before the fast one is taken
 SLICES = {True: 2_000, False: 10}  # nodes between two looks at the clock
@@ -53,6 +54,8 @@ class Rounds:
         Whether to stop.
     max_nodes
         Nodes looked at in all rounds, at the fast and at the slow speed.
+    hands
+        How many searchers may go on side by side at the fast speed. Default 1.
 
     Attributes
     ----------
@@ -70,20 +73,21 @@ class Rounds:
         pool: Pool,
         control: Control,
         max_nodes: tuple[int, int],
+        hands: int = 1,
     ) -> None:
         self.core, self.purses, self.rank, self.pool, self.control = core, purses, rank, pool, control
         self.scale: Scale = scale_of(core)
         self.base = self._searched(core, self._engine(len(core)), deep=False)
         self.bound: int | None = self.base.price()
         self.prices = self.base.prices
-        self.nodes, self.max_nodes = 0, max_nodes
+        self.nodes, self.max_nodes, self.hands = 0, max_nodes, hands
         self._started: list[Way] | None = None
 
     def run(self) -> bool:
         """Whether the pool holds the k best, or all there are, and their order is settled."""
         assert self.bound is not None
         top, bottom = self.bound, least_utility(self.core)
-        depth = max(self.scale.unit, (top - bottom) >> 12)
+        depth = max(self.scale.unit, (top - bottom) >> 16)
         while True:
             wanted = top - depth
             if self.pool.kth is not None:
@@ -141,22 +145,23 @@ class Rounds:
         search.price()
         above = self.bound
         assert above is not None
-        done = 0
-        while True:
-            target = self._target(wanted)
-            status = search.branch(target, STEPS, False, self._slice(engine))
-            self.nodes, done = self.nodes + search.nodes - done, search.nodes
-            if status in (MET, LAST):
-                self.pool.offer(core.taken(search.candidate()))
-            elif status == FINISHED:
-                return "finished"
-            if status == PAUSED:
+        with Crew(search, self.hands if engine.fast else 1) as crew:
+            while True:
+                before = crew.nodes
+                ways = crew.step(self._target(wanted), STEPS, self._slice(engine))
+                self.nodes += crew.nodes - before
+                for way in ways:
+                    self.pool.offer(core.taken(way))
+                if crew.finished:
+                    return "finished"
+                if ways:
+                    continue
                 if self.nodes >= UNAIDED and self.pool.kth is None:
                     self.start()
                 if self._given_up(engine):
-                    self.bound = max(wanted - 1, self.pool.kth or wanted - 1, search.bound(above))
+                    self.bound = max(wanted - 1, self.pool.kth or wanted - 1, crew.bound(above))
                     return "stopped"
-                if not to_the_end and done >= TRIED_PLAIN:
+                if not to_the_end and crew.nodes >= TRIED_PLAIN:
                     return None
 
     def _target(self, wanted: int) -> int:

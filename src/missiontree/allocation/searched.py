@@ -9,6 +9,7 @@ the referee decides of each way with the true amounts.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass
 from math import gcd
 from random import Random
@@ -16,13 +17,26 @@ from typing import Any
 
 from missiontree.allocation.compiled import Engine
 from missiontree.allocation.core import Core, Way, narrowed
-from missiontree.allocation.kernel.columns import DEPTH, MARGIN, NEG, NODES, PICK, SUM, TRAIL, Room, Tree
+from missiontree.allocation.kernel.columns import (
+    DEPTH,
+    FEW,
+    FEW_PURSES,
+    MARGIN,
+    NEG,
+    NODES,
+    PICK,
+    SUM,
+    TRAIL,
+    Room,
+    Tree,
+)
 from missiontree.allocation.purses import Purses
 
 SHIFT = 20  # bits behind the point of a scaled utility
 WHOLE_BITS = 59  # of all that is added up
 LIMIT_BITS = 20
 REMEMBERED = 4096
+LEVELS = 64  # each holds three quarters of the one before at most
 ROOT_STEPS = 60
 AIMS = (0.02, 0.006, 0.002, 0.0006, 0.0002, 0.00006, 0.005, 0.001, 0.0002, 0.00004)
 
@@ -97,6 +111,7 @@ class Searched:
         self.tree = _tree(core, purses, rank, engine, scale)
         self.room = _room(self.tree, engine, prices, deep)
         self.room.numbers[MARGIN] = scale.factor // 2
+        self._whole = -NEG
 
     def price(self, steps: int = ROOT_STEPS) -> int:
         """Look for good prices of the whole; the bound they prove, in millionths."""
@@ -143,10 +158,38 @@ class Searched:
         """See :func:`missiontree.allocation.kernel.branching.branch`; the target is scaled."""
         return int(self.engine.branch(self.tree, self.room, target, steps, in_order, nodes))
 
+    def parted(self, target: int) -> Searched | None:
+        """
+        Part with the uppermost corner that is still to be searched; None if there is none.
+
+        Parameters
+        ----------
+        target
+            Corners without a way of so much scaled utility are of no interest.
+        """
+        room = self.room
+        for depth in range(int(room.numbers[DEPTH])):
+            if room.frame_open[depth] and room.frame_bound[depth] >= target:
+                break
+        else:
+            return None
+        room.frame_open[depth] = 0
+        prices = [int(price) for price in room.frame_prices[depth * self._purses : (depth + 1) * self._purses]]
+        taker = copy(self)
+        taker.room = _room(self.tree, self.engine, prices, deep=True)
+        taker.room.numbers[MARGIN] = room.numbers[MARGIN]
+        gone = [*room.trail[: room.frame_trail[depth]], room.frame_edge[depth]]
+        for place, edge in enumerate(gone):
+            taker.room.alive[edge] = 0
+            taker.room.trail[place] = edge
+        taker.room.numbers[TRAIL] = len(gone)
+        taker._whole = int(room.frame_bound[depth])
+        return taker
+
     def bound(self, above: int) -> int:
         """Nothing that was not searched yet has more utility, in millionths; after a pause. ``above``: the same before the search."""
         if not self.room.numbers[DEPTH]:
-            return above
+            return min(above, self.scale.down(self._whole))
         return min(above, self.scale.down(int(self.engine.open_bound(self.room))))
 
     def candidate(self) -> Way:
@@ -223,6 +266,7 @@ def _tree(core: Core, purses: Purses, rank: Sequence[int], engine: Engine, scale
 def _room(tree: Tree, engine: Engine, prices: Sequence[int], deep: bool) -> Room:
     parts, edges, purses = len(tree.kind), len(tree.below), len(tree.limits)
     depth = edges + 1 if deep else 0  # every frame takes an edge away
+    levels = LEVELS if deep else 0
 
     def blank(length: int, value: int = 0) -> Any:
         return engine.column([value] * length)
@@ -237,8 +281,16 @@ def _room(tree: Tree, engine: Engine, prices: Sequence[int], deep: bool) -> Room
         taken=blank(parts),
         candidate=blank(parts),
         outside=blank(parts),
-        seen=blank(parts),
         active=blank(parts),
+        tops=blank(parts),
+        base_used=blank(purses),
+        level_first=engine.column([0] + [parts] * (levels + 1)),
+        level_top=engine.column([0] + [1] * (levels + 1)),
+        level_value=blank(levels + 1),
+        level_used=blank((levels + 1) * max(1, purses)),
+        kept=engine.column([*range(parts), *[0] * (3 * parts if deep else 0)]),
+        kept_tops=engine.column([parts - 1, *[0] * (3 * parts if deep else 0)]),
+        seen=blank(parts),
         way=blank(parts),
         other_way=blank(parts),
         used=blank(purses),
@@ -249,8 +301,14 @@ def _room(tree: Tree, engine: Engine, prices: Sequence[int], deep: bool) -> Room
         frame_open=blank(depth),
         frame_trail=blank(depth),
         frame_bound=blank(depth),
-        frame_prices=blank(depth * purses),
+        frame_level=blank(depth),
+        frame_prices=blank(depth * max(1, purses)),
+        end_edge=blank(FEW),
+        end_slack=blank(FEW),
+        end_used=blank((FEW + 1) * FEW_PURSES),
+        end_least=blank((FEW + 1) * FEW_PURSES),
+        end_most=blank((FEW + 1) * FEW_PURSES),
         trail=blank(edges + 1),
         remembered=blank(REMEMBERED, -1),
-        numbers=blank(9),
+        numbers=blank(12),
     )

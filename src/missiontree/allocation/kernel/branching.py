@@ -12,6 +12,7 @@ from missiontree.allocation.kernel.columns import (
     FINISHED,
     HALF_NEG,
     LAST,
+    LEVEL,
     MET,
     NEG,
     NODES,
@@ -19,13 +20,15 @@ from missiontree.allocation.kernel.columns import (
     PHASE,
     PICK,
     SHRINK,
+    TOPS,
     TOUCHED,
     TRAIL,
     Room,
     Tree,
 )
+from missiontree.allocation.kernel.finishing import may_hold
 from missiontree.allocation.kernel.mending import forget, weigh
-from missiontree.allocation.kernel.pricing import fits, follow, lower, reach, shrink, tell, walk
+from missiontree.allocation.kernel.pricing import fits, follow, lower, reach, shrink, tell, walk, walk_open
 
 
 def starve(tree: Tree, room: Room) -> bool:
@@ -37,7 +40,7 @@ def starve(tree: Tree, room: Room) -> bool:
     kind, first, below = tree.kind, tree.first, tree.below
     use_first, use_purse, use_amount = tree.use_first, tree.use_purse, tree.use_amount
     alive, least, outside, active, trail = room.alive, room.most, room.outside, room.active, room.trail
-    count, root = room.numbers[ACTIVE], len(kind) - 1
+    count, tops = room.numbers[ACTIVE], room.numbers[TOPS]
     for purse in range(len(tree.limits)):
         for place in range(count):
             part = active[place]
@@ -58,9 +61,15 @@ def starve(tree: Tree, room: Room) -> bool:
                     needed += least[below[edge]]
             least[part] = needed
             outside[part] = -NEG
-        if least[root] > tree.limits[purse]:
+        whole = room.base_used[purse]
+        for place in range(tops):
+            if least[room.tops[place]] > -HALF_NEG:
+                return False
+            whole += least[room.tops[place]]
+        if whole > tree.limits[purse]:
             return False
-        outside[root] = 0
+        for place in range(tops):
+            outside[room.tops[place]] = whole - least[room.tops[place]]
         for place in range(count - 1, -1, -1):
             part = active[place]
             rest = outside[part]
@@ -102,7 +111,7 @@ def open_pick(tree: Tree, room: Room, slack: int, in_order: bool) -> int:
     first, below = tree.first, tree.below
     alive, most, taken, way = room.alive, room.most, room.taken, room.way
     chosen, best = -1, -1.0
-    for place in range(walk(tree, taken, len(tree.kind) - 1, way)):
+    for place in range(walk_open(tree, room)):
         part = way[place]
         if tree.kind[part] != PICK:
             continue
@@ -117,7 +126,7 @@ def open_pick(tree: Tree, room: Room, slack: int, in_order: bool) -> int:
             score = float(tree.priority[part])
         else:
             moved = swing(tree, room, below[taken[part]], below[at])
-            score = float(moved) / float(most[part] - second + slack + 1)
+            score = float(moved)
         if score > best:
             best = score
             chosen = part
@@ -128,7 +137,8 @@ def is_news(tree: Tree, room: Room) -> bool:
     """Whether the candidate was not told before, as far as that is remembered."""
     way, remembered = room.way, room.remembered
     mixed = 0
-    for place in range(walk(tree, room.candidate, len(tree.kind) - 1, way)):
+    way[0] = len(tree.kind) - 1
+    for place in range(walk(tree, room.candidate, way, 1)):
         if tree.kind[way[place]] == PICK:
             mixed ^= tree.marks[room.candidate[way[place]]]
     slot = mixed % len(remembered)
@@ -151,6 +161,7 @@ def descend(tree: Tree, room: Room, part: int, bound: int, in_order: bool) -> No
     room.frame_open[depth] = 1
     room.frame_trail[depth] = numbers[TRAIL]
     room.frame_bound[depth] = bound
+    room.frame_level[depth] = numbers[LEVEL]
     for purse in range(purses):
         room.frame_prices[depth * purses + purse] = prices[purse]
     numbers[DEPTH] = depth + 1
@@ -172,6 +183,7 @@ def retreat(room: Room, target: int) -> bool:
             alive[trail[numbers[TRAIL]]] = 1
         if room.frame_open[depth] and room.frame_bound[depth] >= target:
             room.frame_open[depth] = 0
+            numbers[LEVEL] = room.frame_level[depth]
             alive[room.frame_edge[depth]] = 0
             trail[numbers[TRAIL]] = room.frame_edge[depth]
             numbers[TRAIL] += 1
@@ -239,8 +251,9 @@ def branch(tree: Tree, room: Room, target: int, steps: int, in_order: bool, node
                     return MET
         if numbers[PHASE] == SHRINK:
             numbers[PHASE] = BACKTRACK
-            bound = min(shrink(tree, room, target), numbers[BOUND])
-            if bound >= target:
+            tight = shrink(tree, room, target)
+            bound = min(tight, numbers[BOUND])
+            if bound >= target and may_hold(tree, room, tight - target):
                 part = open_pick(tree, room, (bound - target) // 2, in_order)
                 if part >= 0:
                     descend(tree, room, part, bound, in_order)

@@ -9,9 +9,13 @@ NEG = -(1 << 62)  # no way; every real sum is far from it
 HALF_NEG = -(1 << 61)
 
 # Places in Room.numbers, which survives from one call to the next.
-PHASE, DEPTH, NODES, TRAIL, ACTIVE, BOUND, CANDIDATE, MARGIN, TOUCHED = 0, 1, 2, 3, 4, 5, 6, 7, 8
+PHASE, DEPTH, NODES, TRAIL, ACTIVE, BOUND, CANDIDATE, MARGIN, TOUCHED, TOPS, BASE, LEVEL = range(12)
 EVALUATE, SHRINK, BACKTRACK = 0, 1, 2
 FINISHED, MET, LAST, PAUSED = 0, 1, 2, 3
+
+FEW = 40  # open picks of a corner that is tried out
+FEW_PURSES = 48
+TRIES = 3_000
 
 
 class Tree(NamedTuple):
@@ -70,10 +74,20 @@ class Room(NamedTuple):
         By pick: the edges of the way that is told.
     outside
         By part: the most that the rest of a way through it earns.
-    seen, active, way, other_way, used, drift, touched, listed
+    active, tops
+        Parts of what is still open, children first, and the picks at its top, each of them open and reached by every way left.
+    base_used
+        By purse: what every way left uses beside what is open.
+    level_first, level_top, level_value, level_used
+        By level of the search: where its lists of parts and of tops begin, and what is settled beside them; see :func:`reach`.
+    kept, kept_tops
+        Those lists, one behind the other.
+    seen, way, other_way, used, drift, touched, listed
         Scratch.
-    frame_edge, frame_open, frame_trail, frame_bound, frame_prices
-        By depth: the option taken first, whether the others are still to be searched, the trail before, a bound, the prices.
+    frame_edge, frame_open, frame_trail, frame_bound, frame_level, frame_prices
+        By depth: the option taken first, whether the others are still to be searched, the trail before, a bound, the level, the prices.
+    end_edge, end_slack, end_used, end_least, end_most
+        What trying out the last picks needs, by pick or by pick and purse.
     trail
         Edges in the order in which they were taken away.
     remembered
@@ -89,8 +103,16 @@ class Room(NamedTuple):
     taken: list[int]
     candidate: list[int]
     outside: list[int]
-    seen: list[int]
     active: list[int]
+    tops: list[int]
+    base_used: list[int]
+    level_first: list[int]
+    level_top: list[int]
+    level_value: list[int]
+    level_used: list[int]
+    kept: list[int]
+    kept_tops: list[int]
+    seen: list[int]
     way: list[int]
     other_way: list[int]
     used: list[int]
@@ -101,7 +123,13 @@ class Room(NamedTuple):
     frame_open: list[int]
     frame_trail: list[int]
     frame_bound: list[int]
+    frame_level: list[int]
     frame_prices: list[int]
+    end_edge: list[int]
+    end_slack: list[int]
+    end_used: list[int]
+    end_least: list[int]
+    end_most: list[int]
     trail: list[int]
     remembered: list[int]
     numbers: list[int]

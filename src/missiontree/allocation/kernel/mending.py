@@ -12,7 +12,8 @@ def weigh(tree: Tree, room: Room, top: int, sign: int) -> int:
     way, drift, touched, listed = room.other_way, room.drift, room.touched, room.listed
     length = room.numbers[TOUCHED]
     earned = 0
-    for place in range(walk(tree, room.taken, top, way)):
+    way[0] = top
+    for place in range(walk(tree, room.taken, way, 1)):
         part = way[place]
         earned += value[part]
         for entry in range(use_first[part], use_first[part + 1]):

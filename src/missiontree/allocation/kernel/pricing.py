@@ -2,33 +2,115 @@
 
 from __future__ import annotations
 
-from missiontree.allocation.kernel.columns import ACTIVE, HALF_NEG, MARGIN, NEG, PICK, TRAIL, Room, Tree
+from missiontree.allocation.kernel.columns import (
+    ACTIVE,
+    BASE,
+    HALF_NEG,
+    LEVEL,
+    MARGIN,
+    NEG,
+    PICK,
+    TOPS,
+    TRAIL,
+    Room,
+    Tree,
+)
 
 DRIFT_BITS = 20  # behind the point of a purse's drift
 ROOT_IDLE = 10  # steps without progress before strides are halved, where there is no target; elsewhere 3
 KEPT = 4  # eighths of the drift that each step keeps
 
 
+def settle(tree: Tree, room: Room) -> int:
+    """
+    Go down from the tops of the level as far as no choice is left, and put what is settled on the way into the base.
+
+    The picks at which that ends become the new tops, and are marked as seen; how many there are.
+    """
+    kind, value, first, below = tree.kind, tree.value, tree.first, tree.below
+    alive, taken, tops, stack, seen = room.alive, room.taken, room.tops, room.way, room.seen
+    level, purses = room.numbers[LEVEL], len(tree.limits)
+    base = room.level_value[level]
+    for purse in range(purses):
+        room.base_used[purse] = room.level_used[level * purses + purse]
+    length, count = 0, 0
+    for place in range(room.level_top[level], room.level_top[level + 1]):
+        stack[length] = room.kept_tops[place]
+        length += 1
+    while length:
+        length -= 1
+        part = stack[length]
+        if kind[part] == PICK:
+            left, only = 0, -1
+            for edge in range(first[part], first[part + 1]):
+                if alive[edge]:
+                    left += 1
+                    only = edge
+            if left == 1:
+                taken[part] = only
+                stack[length] = below[only]
+                length += 1
+            else:
+                seen[part] = 1
+                tops[count] = part
+                count += 1
+        else:
+            base += value[part]
+            for entry in range(tree.use_first[part], tree.use_first[part + 1]):
+                room.base_used[tree.use_purse[entry]] += tree.use_amount[entry]
+            for edge in range(first[part], first[part + 1]):
+                stack[length] = below[edge]
+                length += 1
+    room.numbers[BASE] = base
+    room.numbers[TOPS] = count
+    return count
+
+
 def reach(tree: Tree, room: Room) -> int:
-    """List the parts that some way of the options left may reach, in ascending order; how many there are."""
+    """
+    List what is still open: the parts below picks with several options left, as far as some way of those left may reach them.
+
+    What every way has in common becomes the base, so that prices are tried on what is open alone. Looks through the list of the level
+    that the search is on, and begins a new level when much of it is settled. How many parts there are.
+    """
     kind, first, below = tree.kind, tree.first, tree.below
-    alive, seen, active = room.alive, room.seen, room.active
-    parts = len(kind)
-    for part in range(parts):
-        seen[part] = 0
-    seen[parts - 1] = 1
-    for part in range(parts - 1, -1, -1):
+    alive, seen, active, kept, numbers = room.alive, room.seen, room.active, room.kept, room.numbers
+    level = numbers[LEVEL]
+    begin, end = room.level_first[level], room.level_first[level + 1]
+    for place in range(begin, end):
+        seen[kept[place]] = 0
+    tops = settle(tree, room)
+    for place in range(end - 1, begin - 1, -1):
+        part = kept[place]
         if seen[part]:
             for edge in range(first[part], first[part + 1]):
                 if kind[part] != PICK or alive[edge]:
                     seen[below[edge]] = 1
     count = 0
-    for part in range(parts):
-        if seen[part]:
-            active[count] = part
+    for place in range(begin, end):
+        if seen[kept[place]]:
+            active[count] = kept[place]
             count += 1
-    room.numbers[ACTIVE] = count
+    numbers[ACTIVE] = count
+    if level + 2 < len(room.level_first) and 4 * count <= 3 * (end - begin):
+        raise_level(room, count, tops, len(tree.limits))
     return count
+
+
+def raise_level(room: Room, count: int, tops: int, purses: int) -> None:
+    """Begin a new level with what is open now."""
+    level = room.numbers[LEVEL] + 1
+    begin, top = room.level_first[level], room.level_top[level]
+    for place in range(count):
+        room.kept[begin + place] = room.active[place]
+    for place in range(tops):
+        room.kept_tops[top + place] = room.tops[place]
+    for purse in range(purses):
+        room.level_used[level * purses + purse] = room.base_used[purse]
+    room.level_value[level] = room.numbers[BASE]
+    room.level_first[level + 1] = begin + count
+    room.level_top[level + 1] = top + tops
+    room.numbers[LEVEL] = level
 
 
 def sweep(tree: Tree, room: Room, prices: list[int]) -> int:
@@ -56,14 +138,20 @@ def sweep(tree: Tree, room: Room, prices: list[int]) -> int:
                     break
                 earned += most[below[edge]]
             most[part] = earned
-    return most[len(kind) - 1]
+    whole = room.numbers[BASE]
+    for purse in range(len(prices)):
+        whole -= prices[purse] * room.base_used[purse]
+    for place in range(room.numbers[TOPS]):
+        if most[room.tops[place]] < HALF_NEG:
+            return NEG
+        whole += most[room.tops[place]]
+    return whole
 
 
-def walk(tree: Tree, taken: list[int], top: int, way: list[int]) -> int:
-    """List the parts of the way below a part on which every pick takes that edge, from the top down; how many there are."""
+def walk(tree: Tree, taken: list[int], way: list[int], count: int) -> int:
+    """List, behind the parts already listed, what a way takes below them if every pick takes that edge; how many parts in all."""
     kind, first, below = tree.kind, tree.first, tree.below
-    way[0] = top
-    count, place = 1, 0
+    place = 0
     while place < count:
         part = way[place]
         place += 1
@@ -77,14 +165,22 @@ def walk(tree: Tree, taken: list[int], top: int, way: list[int]) -> int:
     return count
 
 
+def walk_open(tree: Tree, room: Room) -> int:
+    """List in ``way`` what is open of the way that the picks take; how many parts."""
+    tops = room.numbers[TOPS]
+    for place in range(tops):
+        room.way[place] = room.tops[place]
+    return walk(tree, room.taken, room.way, tops)
+
+
 def follow(tree: Tree, room: Room) -> int:
     """Scaled utility of the way that the picks take; what it uses is left in ``used``."""
     value, use_first, use_purse, use_amount = tree.value, tree.use_first, tree.use_purse, tree.use_amount
     way, used = room.way, room.used
-    for purse in range(len(used)):
-        used[purse] = 0
-    earned = 0
-    for place in range(walk(tree, room.taken, len(value) - 1, way)):
+    for purse in range(len(tree.limits)):
+        used[purse] = room.base_used[purse]
+    earned = room.numbers[BASE]
+    for place in range(walk_open(tree, room)):
         part = way[place]
         earned += value[part]
         for entry in range(use_first[part], use_first[part + 1]):
@@ -112,9 +208,9 @@ def held(tree: Tree, prices: list[int]) -> int:
 
 def tell(tree: Tree, room: Room) -> None:
     """Make the way that the picks take the candidate."""
-    active, taken, candidate = room.active, room.taken, room.candidate
-    for place in range(room.numbers[ACTIVE]):
-        candidate[active[place]] = taken[active[place]]
+    room.way[0] = len(tree.kind) - 1
+    for place in range(walk(tree, room.taken, room.way, 1)):
+        room.candidate[room.way[place]] = room.taken[room.way[place]]
 
 
 def lower(tree: Tree, room: Room, steps: int, target: int, aim: float) -> tuple[int, int]:
@@ -194,7 +290,8 @@ def shrink(tree: Tree, room: Room, target: int) -> int:
     count, length, hold = room.numbers[ACTIVE], room.numbers[TRAIL], held(tree, room.prices)
     for place in range(count):
         outside[active[place]] = NEG
-    outside[active[count - 1]] = hold
+    for place in range(room.numbers[TOPS]):
+        outside[room.tops[place]] = hold + top - most[room.tops[place]]
     for place in range(count - 1, -1, -1):
         part = active[place]
         rest = outside[part]
