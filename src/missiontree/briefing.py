@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -20,6 +20,7 @@ from missiontree.mission.goal import in_words
 from missiontree.mission.magnitude import refuse_huge
 from missiontree.mission.routine import Routine
 from missiontree.mission.scene import Scene
+from missiontree.mission.terms import MinQuality
 from missiontree.mission.tree import MissionTree
 from missiontree.routines.library import load, with_routines
 from missiontree.samples.catalogue import FOLDER
@@ -38,6 +39,9 @@ ARGUMENTS: dict[str, tuple[tuple[type, ...], str]] = {
     "base_url": ((str,), "the address of an endpoint, such as http://localhost:8000/v1"),
     "budgets": ((Budgets,), "Budgets"),
     "seed": ((int,), "a whole number"),
+    "without": ((list, tuple), "a list of robot types and robots, by name"),
+    "require": ((list, tuple), "a list of robot types and robots, by name"),
+    "min_quality": ((int, float, Mapping), "a number of at least 0, or numbers by routine or capability"),
 }
 DEFAULT_K = 4
 
@@ -95,6 +99,9 @@ def request_from(
     methods: Sequence[Path | str] = (),
     weights: Weights | Sequence[float] | None = None,
     check_kinds: bool | None = None,
+    without: Sequence[str] = (),
+    require: Sequence[str] = (),
+    min_quality: MinQuality | None = None,
     project: Path | None = None,
     **options: Any,
 ) -> Request:
@@ -114,6 +121,10 @@ def request_from(
         Files of the user's own, beside the built-in ones.
     weights, check_kinds
         See :class:`MissionBrief`.
+    without, require
+        Robot types and robots that take no part, or must; added to those of the mission file.
+    min_quality
+        Quality that every action must have; takes the place of all that the mission file says of it.
     project
         A mission file whose fleet, scene, routines and methods are taken up when the mission is given in words.
     options
@@ -125,6 +136,7 @@ def request_from(
         If an argument is not what it should be, a file cannot be read, or its contents do not fit together.
     """
     _refuse_others(mission=mission, fleet=fleet, scene=scene, routines=routines, methods=methods, **options)
+    _refuse_others(mission=mission, without=without, require=require, min_quality=min_quality)
     if isinstance(mission, str) and mission.endswith(MISSION_FILES):
         mission = Path(mission)
     path = mission if isinstance(mission, Path) else project
@@ -153,14 +165,16 @@ def request_from(
             weights=file.weights if weights is None else _weights(weights),
             check_kinds=file.check_kinds if check_kinds is None else check_kinds,
             goals=goals,
-            without=file.without,
-            require=file.require,
-            min_quality=file.min_quality,
+            without=tuple(dict.fromkeys((*file.without, *without))),
+            require=tuple(dict.fromkeys((*file.require, *require))),
+            min_quality=file.min_quality if min_quality is None else min_quality,
         )
         refuse_huge(brief.fleet, brief.routines, brief.weights)
     except ValueError as error:
-        misfits = ", ".join(source.split(" ", 1)[1] for source in _sources(path, fleet_from, scene_from, (), ()))
-        hint = f"{misfits or 'The inputs'}: these do not fit together; mend one of them."
+        terms = {"without": without, "require": require, "min_quality": min_quality}
+        misfits = [source.split(" ", 1)[1] for source in _sources(path, fleet_from, scene_from, (), ())]
+        misfits += [name for name, given in terms.items() if given not in (None, (), [])]
+        hint = f"{', '.join(misfits) or 'The inputs'}: these do not fit together; mend one of them."
         raise InputError(str(error), hint=hint) from error
     tree = _value(base / file.tree, "tree") if file.tree else None
     sources = _sources(path, fleet_from, scene_from, library_files, method_files)

@@ -40,6 +40,7 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Routine
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.terms import MinQuality
 from missiontree.mission.tree import MissionTree
 from missiontree.reporting.tree.view import tree_svg
 from missiontree.routines.ground import ground
@@ -60,6 +61,9 @@ def plan(
     methods: Sequence[Path | str] = (),
     weights: Weights | Sequence[float] | None = None,
     check_kinds: bool | None = None,
+    without: Sequence[str] = (),
+    require: Sequence[str] = (),
+    min_quality: MinQuality | None = None,
     k: int | None = None,
     allocator: str | None = None,
     model: str | ChatModel | None = None,
@@ -87,6 +91,13 @@ def plan(
         What makes utility. Default: quality alone.
     check_kinds
         Whether kinds of arguments are enforced. Default true.
+    without
+        Robot types and robots that take no part, beside those that the mission file leaves out.
+    require
+        Robot types and robots that must take part in every alternative, beside those that the mission file requires.
+    min_quality
+        Quality that every action must have at least: a number for all, or numbers by routine or capability. It takes the place of
+        all that the mission file says of it. Default: the mission file's, else 0.
     k
         How many alternatives are asked for, at least 1. Default 4.
     allocator
@@ -121,6 +132,9 @@ def plan(
         methods=methods,
         weights=weights,
         check_kinds=check_kinds,
+        without=without,
+        require=require,
+        min_quality=min_quality,
         k=k,
         allocator=allocator,
         model=model,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +13,7 @@ if TYPE_CHECKING:
     from missiontree.authoring.budgets import Budgets
     from missiontree.briefing import Request
     from missiontree.mission.estimate import Weights
+    from missiontree.mission.terms import MinQuality
 
 
 def gather(
@@ -23,6 +25,9 @@ def gather(
     routines: list[Path] | None,
     methods: list[Path] | None,
     weights: str | None,
+    without: list[str] | None = None,
+    require: list[str] | None = None,
+    min_quality: list[str] | None = None,
     k: int | None,
     allocator: str | None,
     model: str | None,
@@ -51,6 +56,9 @@ def gather(
         methods=methods or (),
         weights=_weights(weights),
         check_kinds=kinds,
+        without=without or (),
+        require=require or (),
+        min_quality=least_quality(min_quality),
         project=project,
         k=k,
         allocator=allocator,
@@ -154,6 +162,44 @@ def _weights(text: str | None) -> Weights | None:
             f"--weights {text!r}: {error}",
             accepted="up to three numbers of at least 0, as in 1,0.01,0 (alpha,beta,gamma)",
         ) from error
+
+
+def least_quality(texts: list[str] | None) -> MinQuality | None:
+    """
+    What ``--min-quality`` asks for: one number, or numbers by name; None if it is not given.
+
+    Raises
+    ------
+    InputError
+        If a number is none or negative, a name has two numbers, or a number for all stands beside others.
+    """
+    parts = [part.strip() for text in texts or () for part in text.split(",")]
+    if not parts:
+        return None
+    try:
+        if len(parts) == 1 and "=" not in parts[0]:
+            return _quality(parts[0])
+        named: dict[str, float] = {}
+        for part in parts:
+            name, equals, number = (piece.strip() for piece in part.partition("="))
+            if not equals or not name:
+                raise ValueError(f"{part!r} stands beside others and has no name.")
+            if name in named:
+                raise ValueError(f"{name!r} stands twice.")
+            named[name] = _quality(number)
+        return named
+    except ValueError as error:
+        raise InputError(
+            f"--min-quality {', '.join(map(repr, texts or ()))}: {error}",
+            accepted="a number of at least 0 for all actions, as in 0.5, or numbers by routine or capability, as in Search=0.8,carry=0.5",
+        ) from error
+
+
+def _quality(text: str) -> float:
+    value = _number(text)
+    if not 0 <= value < math.inf:
+        raise ValueError(f"{text!r} is not a number of at least 0.")
+    return value
 
 
 def _number(text: str) -> float:

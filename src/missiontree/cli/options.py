@@ -48,6 +48,33 @@ WeightsText = Annotated[
         "--weights", metavar="A,B,C", help="alpha,beta,gamma of utility = alpha*quality - beta*seconds - gamma*cost."
     ),
 ]
+Without = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--without",
+        metavar="NAME",
+        help="A robot type or robot that takes no part, beside those that the mission file leaves out; may be given several times.",
+    ),
+]
+Require = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--require",
+        metavar="NAME",
+        help="A robot type or robot that must take part, beside those that the mission file requires; may be given several times.",
+    ),
+]
+MinQualityText = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--min-quality",
+        metavar="Q",
+        help=(
+            "Least quality of every action: 0.5, or by routine or capability as in Search=0.8,carry=0.5; may be given several "
+            "times. Replaces what the mission file says of it."
+        ),
+    ),
+]
 Alternatives = Annotated[
     int | None, typer.Option("-k", "--alternatives", metavar="K", help="How many alternatives. Default 4.")
 ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
 
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.frozen_map import FrozenMap
@@ -92,9 +93,10 @@ def check_terms(terms: Terms, fleet: Fleet, routines: tuple[str, ...], capabilit
     for what, names in (("without", terms.without), ("require", terms.require)):
         for name in names:
             if name not in fleet.by_id and name not in fleet.robots:
-                known = ", ".join((*fleet.by_id, *fleet.robots))
+                known = (*fleet.by_id, *fleet.robots)
                 raise ValueError(
-                    f"{what} names {name!r}, and the fleet has neither a type nor a robot of that name; it has {known:.300}."
+                    f"{what} names {name!r}, and the fleet has neither a type nor a robot of that name; "
+                    f"{_nearest(name, known)}it has {', '.join(known):.300}."
                 )
     if terms.without:
         _check_left(terms, fleet)
@@ -109,9 +111,16 @@ def check_terms(terms: Terms, fleet: Fleet, routines: tuple[str, ...], capabilit
     for name in terms.min_quality if isinstance(terms.min_quality, Mapping) else ():
         if name not in routines and name not in capabilities:
             raise ValueError(
-                f"min_quality names {name!r}, which is neither a routine nor a capability; routines are "
+                f"min_quality names {name!r}, which is neither a routine nor a capability; "
+                f"{_nearest(name, (*routines, *capabilities))}routines are "
                 f"{', '.join(routines)}; capabilities are {', '.join(capabilities)}."
             )
+
+
+def _nearest(name: str, known: tuple[str, ...]) -> str:
+    """The name most alike, as a part of a sentence; empty if none is."""
+    near = get_close_matches(name, known, n=1) or [each for each in known if each.casefold() == name.casefold()]
+    return f"the nearest is {near[0]!r}; " if near else ""
 
 
 def _check_left(terms: Terms, fleet: Fleet) -> None:
