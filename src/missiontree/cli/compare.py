@@ -11,15 +11,18 @@ from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES, Exit
 from missiontree.cli.gathering import author_named, gather
 from missiontree.cli.interrupt import controlled
+from missiontree.cli.losses import loss_of, utilities_shown
 from missiontree.cli.screen import show
 from missiontree.cli.watching import authored as watched
 
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from missiontree.mission.alternative import Alternative, Ranking
+    from missiontree.mission.alternative import Ranking
 
 DEFAULT_LIMIT_S = 30.0
+COLUMNS = ("allocator", "found", "utilities", "status", "lost", "best loss", "examined", "time")
+TEXTS = {"allocator", "utilities", "status", "lost"}
 
 
 class Run(NamedTuple):
@@ -51,7 +54,7 @@ def command(
     as_json: options.AsJson = False,
     colour: options.Colour = None,
 ) -> int:
-    """Rank one mission's alternatives with every allocator: what each finds, how long it takes, what it loses."""
+    """Rank one mission's alternatives with every allocator: what each finds, what it loses of the best, how long it takes."""
     import json
 
     from rich.text import Text
@@ -108,41 +111,38 @@ def command(
     return Exit.DELIVERED if runs[0].ranking.alternatives else Exit.CANNOT_BE_DONE
 
 
-def lost(run: Run, runs: list[Run], k: int) -> list[Alternative]:
-    """Of the k best alternatives that any run lists, those that this run does not; an exact run's list is the last word."""
-    exact = [other.ranking for other in runs if other.ranking.status == "exact"]
-    known = {one.choices: one for ranking in exact or [other.ranking for other in runs] for one in ranking.alternatives}
-    best = sorted(known.values(), key=lambda one: (-one.utility, one.rank))[:k]
-    found = {alternative.choices for alternative in run.ranking.alternatives}
-    return [alternative for alternative in best if alternative.choices not in found]
-
-
 def _table(runs: list[Run], k: int) -> Table:
     from rich.table import Table
 
+    rankings = [run.ranking for run in runs]
+    losses = [loss_of(ranking, rankings, k) for ranking in rankings]
+    columns = [name for name in COLUMNS if name != "best loss" or any(loss.lost for loss in losses)]
     table = Table(box=None, padding=(0, 2, 0, 0), header_style="dim")
-    for name in ("allocator", "found", "utilities", "status", "lost", "examined", "time"):
-        table.add_column(name, justify="left" if name in {"allocator", "utilities", "status"} else "right")
-    for run in runs:
-        utilities = ", ".join(f"{alternative.utility:g}" for alternative in run.ranking.alternatives[:6])
-        table.add_row(
-            run.allocator,
-            str(len(run.ranking.alternatives)),
-            utilities + (", …" if len(run.ranking.alternatives) > 6 else ""),
-            run.ranking.status,
-            str(len(lost(run, runs, k))),
-            str(run.ranking.examined),
-            f"{run.elapsed_s * 1000:.1f} ms",
-        )
+    for name in columns:
+        table.add_column(name, justify="left" if name in TEXTS else "right", no_wrap=name == "allocator")
+    for run, loss in zip(runs, losses, strict=True):
+        cells = {
+            "allocator": run.allocator,
+            "found": str(len(run.ranking.alternatives)),
+            "utilities": utilities_shown(run.ranking.alternatives),
+            "status": run.ranking.status,
+            "lost": f"{len(loss.lost)}: {utilities_shown(loss.lost)}" if loss.lost else "0",
+            "best loss": loss.shown,
+            "examined": str(run.ranking.examined),
+            "time": f"{run.elapsed_s * 1000:.1f} ms",
+        }
+        table.add_row(*(cells[name] for name in columns))
     return table
 
 
 def _plain(run: Run, runs: list[Run], k: int) -> dict[str, object]:
+    loss = loss_of(run.ranking, [other.ranking for other in runs], k)
     return {
         "allocator": run.allocator,
         "status": run.ranking.status,
         "utilities": [alternative.utility for alternative in run.ranking.alternatives],
-        "lost": [alternative.utility for alternative in lost(run, runs, k)],
+        "lost": [alternative.utility for alternative in loss.lost],
+        "best_loss": loss.best_loss,
         "examined": run.ranking.examined,
         "time_s": round(run.elapsed_s, 6),
     }
