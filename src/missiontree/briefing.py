@@ -9,12 +9,14 @@ from typing import Any
 
 from missiontree.authoring.budgets import Budgets
 from missiontree.errors import InputError
+from missiontree.estimation.estimator import Estimator
+from missiontree.estimation.own import OwnEstimator, own_estimator
 from missiontree.formats.document import read_file
 from missiontree.formats.mission_file import MissionFile
 from missiontree.formats.source import clean
 from missiontree.llm.chat import ChatModel
 from missiontree.mission.brief import MissionBrief
-from missiontree.mission.estimate import Weights
+from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.goal import in_words
 from missiontree.mission.magnitude import refuse_huge
@@ -75,6 +77,8 @@ class Request:
         What was taken from where, for the screen.
     tree_file
         File of the tree that was handed in.
+    estimator
+        What says how well, how long and how dear every action is; None for the fleet's table. The brief says whose it is.
     """
 
     brief: MissionBrief
@@ -88,6 +92,7 @@ class Request:
     seed: int = 0
     sources: tuple[str, ...] = ()
     tree_file: str = ""
+    estimator: OwnEstimator | None = None
 
 
 def request_from(
@@ -102,6 +107,7 @@ def request_from(
     without: Sequence[str] = (),
     require: Sequence[str] = (),
     min_quality: MinQuality | None = None,
+    estimator: Estimator | Callable[..., Estimate] | Path | str | None = None,
     project: Path | None = None,
     **options: Any,
 ) -> Request:
@@ -125,6 +131,8 @@ def request_from(
         Robot types and robots that take no part, or must; added to those of the mission file.
     min_quality
         Quality that every action must have; takes the place of all that the mission file says of it.
+    estimator
+        A user's own estimator, or its file, which is run. Default: the mission file's, else the fleet's table.
     project
         A mission file whose fleet, scene, routines and methods are taken up when the mission is given in words.
     options
@@ -154,6 +162,8 @@ def request_from(
     library_files += [Path(name) for name in routines if not isinstance(name, Routine)]
     own_routines = [routine for routine in routines if isinstance(routine, Routine)]
     method_files = [base / name for name in file.methods] + [Path(name) for name in methods]
+    estimator_from = base / file.estimator if estimator is None and file.estimator else estimator
+    own = None if estimator_from is None else own_estimator(estimator_from)
     fleet_from, scene_from = _fleet_source(fleet, file, path), _scene_source(scene, file, path)
     try:
         brief = MissionBrief(
@@ -168,6 +178,7 @@ def request_from(
             without=tuple(dict.fromkeys((*file.without, *without))),
             require=tuple(dict.fromkeys((*file.require, *require))),
             min_quality=file.min_quality if min_quality is None else min_quality,
+            estimator=None if own is None else own.source,
         )
         refuse_huge(brief.fleet, brief.routines, brief.weights)
     except ValueError as error:
@@ -177,11 +188,13 @@ def request_from(
         hint = f"{', '.join(misfits) or 'The inputs'}: these do not fit together; mend one of them."
         raise InputError(str(error), hint=hint) from error
     tree = _value(base / file.tree, "tree") if file.tree else None
-    sources = _sources(path, fleet_from, scene_from, library_files, method_files)
+    sources = _sources(path, fleet_from, scene_from, library_files, method_files, estimator_from)
     tree_file = str(base / file.tree) if file.tree else ""
     if tree is not None and not words:
         brief = replace(brief, text=tree.objective)
-    request = Request(brief=brief, tree=tree, methods=tuple(method_files), sources=sources, tree_file=tree_file)
+    request = Request(
+        brief=brief, tree=tree, methods=tuple(method_files), sources=sources, tree_file=tree_file, estimator=own
+    )
     named: dict[str, Any] = {
         "k": file.k,
         "allocator": file.allocator,
@@ -241,10 +254,16 @@ def _value(source: Any, kind: str) -> Any:
 
 
 def _sources(
-    path: Path | None, fleet: Any, scene: Any, routines: Sequence[Path], methods: Sequence[Path]
+    path: Path | None,
+    fleet: Any,
+    scene: Any,
+    routines: Sequence[Path],
+    methods: Sequence[Path],
+    estimator: Any = None,
 ) -> tuple[str, ...]:
     named: list[tuple[str, Any]] = [("mission", path), ("fleet", fleet), ("scene", scene)]
     named += [("routines", file) for file in routines] + [("methods", file) for file in methods]
+    named.append(("estimator", estimator))
     return tuple(f"{what} {_shown(where)}" for what, where in named if isinstance(where, str | Path))
 
 

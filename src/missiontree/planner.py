@@ -7,7 +7,7 @@ Each step is a function from frozen value to frozen value; what takes long is gi
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -25,6 +25,7 @@ from missiontree.authoring.transcript import Origin, replay
 from missiontree.briefing import Request, request_from
 from missiontree.checking import check
 from missiontree.errors import InputError, InternalError
+from missiontree.estimation.estimator import Estimator
 from missiontree.formats.inputs import input_digests
 from missiontree.formats.source import load_text
 from missiontree.llm.chat import ChatModel, Listener, deaf
@@ -32,7 +33,7 @@ from missiontree.llm.feature_memory import usual_path
 from missiontree.llm.opening import Settings, open_model
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.control import Control
-from missiontree.mission.estimate import Weights
+from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Grounding
 from missiontree.mission.plan import Outcome, Plan, Provenance
@@ -64,6 +65,7 @@ def plan(
     without: Sequence[str] = (),
     require: Sequence[str] = (),
     min_quality: MinQuality | None = None,
+    estimator: Estimator | Callable[..., Estimate] | Path | str | None = None,
     k: int | None = None,
     allocator: str | None = None,
     model: str | ChatModel | None = None,
@@ -98,6 +100,10 @@ def plan(
     min_quality
         Quality that every action must have at least: a number for all, or numbers by routine or capability. It takes the place of
         all that the mission file says of it. Default: the mission file's, else 0.
+    estimator
+        What says how well, how long and how dear every action is: anything that fits
+        :class:`missiontree.estimation.estimator.Estimator`, a function of the same arguments, or the path of a Python file that
+        names one, which is run. Default: the mission file's, else the fleet's table.
     k
         How many alternatives are asked for, at least 1. Default 4.
     allocator
@@ -135,6 +141,7 @@ def plan(
         without=without,
         require=require,
         min_quality=min_quality,
+        estimator=estimator,
         k=k,
         allocator=allocator,
         model=model,
@@ -168,7 +175,7 @@ def plan_authored(request: Request, authored: Authored, control: Control) -> Pla
     """The rest of the road, for a mission whose tree is built (:func:`author`)."""
     if authored.status != "complete" or authored.tree is None:
         return _told(request, authored)
-    grounding = ground(authored.tree, request.brief)
+    grounding = ground(authored.tree, request.brief, request.estimator)
     scene = request.brief.world.extended(authored.tree.entities)
     ranking, schedules = staff_and_schedule(grounding, request, scene, control)
     made = _told(request, authored, grounding, ranking, schedules)

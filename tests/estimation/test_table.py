@@ -45,6 +45,8 @@ def test_an_estimator_of_ones_own_fits_the_seam() -> None:
             *,
             robot_type: str = "",
             action: str = "",
+            rating: str = "",
+            at: str = "",
         ) -> Estimate:
             doubt = 0.5 if robot_type == "tele_robot" else 1.0
             return Estimate(doubt * capability.quality, (nominal_s or 0) + travel_s, nominal_cost)

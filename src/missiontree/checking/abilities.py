@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from missiontree.checking.case import Case
 from missiontree.checking.closed import inside
+from missiontree.checking.estimates import alone_s
 from missiontree.checking.fault import Fault, named
 from missiontree.checking.parts import Stretch, chains, readings
 from missiontree.mission.entity import Entity
@@ -49,8 +50,8 @@ def capability_missing(case: Case) -> Iterator[Fault]:
 
 
 def quality_differs(case: Case) -> Iterator[Fault]:
-    """The quality of an action is not the one that the fleet states for the type."""
-    for leaf, action in _actions(case):
+    """The quality of an action is not the one that the fleet states for the type, and no estimator of the user's own said it."""
+    for leaf, action in _actions(case) if case.plan.brief.estimator is None else ():
         kind = case.fleet.by_id.get(action.robot_type)
         capability = kind.capability(action.capability) if kind is not None else None
         if capability is not None and action.estimate.quality != capability.quality:
@@ -137,7 +138,7 @@ def action_differs(case: Case) -> Iterator[Fault]:
     """An action is not what its routine and the fleet make of it: place, duration, use of budgets, or what it brings or finds."""
     for part in _parts(case):
         kind = case.fleet.by_id.get(part.actions[0].robot_type)
-        problems = [_difference(reading, part, kind) for reading in part.readings]
+        problems = [_difference(case, reading, part, kind) for reading in part.readings]
         if problems and all(problem is not None for problem in problems) and (problem := problems[0]) is not None:
             leaf, what, found, needed = problem
             yield _about(case, leaf, f"has {what} {found}; its routine gives {needed}", found, needed)
@@ -233,11 +234,13 @@ def _zones(case: Case, entity: Entity) -> tuple[str, ...]:
     return tuple(name for name, area in areas if inside((spot.x_m, spot.y_m), area))
 
 
-def _difference(reading: tuple[Stretch, ...], part: Part, kind: RobotType | None) -> tuple[int, str, str, str] | None:
+def _difference(
+    case: Case, reading: tuple[Stretch, ...], part: Part, kind: RobotType | None
+) -> tuple[int, str, str, str] | None:
     """First leaf that differs from its step, in what, and both values; None if none does."""
     steps = [(stretch, step) for stretch in reading for step in stretch.role.actions]
     for leaf, action, (stretch, step) in zip(part.leaves, part.actions, steps, strict=True):
-        for what, needed in _expected(stretch, step, kind).items():
+        for what, needed in _expected(case, stretch, step, kind, action).items():
             found = getattr(action, what)
             if found != needed and not _close(found, needed):
                 return leaf, what, str(found), str(needed)
@@ -248,7 +251,9 @@ def _close(found: object, needed: object) -> bool:
     return isinstance(found, float | int) and isinstance(needed, float | int) and math.isclose(found, needed)
 
 
-def _expected(stretch: Stretch, step: ActionStep, kind: RobotType | None) -> dict[str, object]:
+def _expected(
+    case: Case, stretch: Stretch, step: ActionStep, kind: RobotType | None, action: Action
+) -> dict[str, object]:
     expected: dict[str, object] = {
         "at": stretch.place(step.goes_to or step.at),
         "moves": step.goes_to is not None,
@@ -258,7 +263,9 @@ def _expected(stretch: Stretch, step: ActionStep, kind: RobotType | None) -> dic
         "uses": step.uses,
     }
     capability = kind.capability(stretch.role.rating) if kind is not None else None
-    if capability is not None:
+    if case.plan.brief.estimator is not None:
+        expected["duration_s"] = alone_s(case, action, step)
+    elif capability is not None:
         expected["duration_s"] = capability.duration.plus_s + capability.duration.scale * step.duration_s
     return expected
 

@@ -10,9 +10,12 @@ from missiontree.checking.staffing import Staffing
 from missiontree.checking.timetable import Timetable
 from missiontree.checking.ways import Ways
 from missiontree.errors import InputError
+from missiontree.estimation.answers import ReadingOut
+from missiontree.estimation.estimator import Estimator
 from missiontree.formats.digest import digest
 from missiontree.llm.recording import Recording, read_recording
 from missiontree.mission.entity import Entity
+from missiontree.mission.estimator_source import Estimated
 from missiontree.mission.fleet import Fleet, Robot
 from missiontree.mission.grounded import GroundedTree, Grounding
 from missiontree.mission.plan import Plan
@@ -96,9 +99,24 @@ class Case:
         if self.plan.tree is None or self.plan.grounding is None:
             return None
         try:
-            return ground(self.plan.tree, self.plan.brief)
+            return ground(self.plan.tree, self.plan.brief, self._estimator)
         except Exception as error:  # a damaged tree may break whatever grounding relies on
             return str(error) or type(error).__name__
+
+    @property
+    def _estimator(self) -> Estimator | None:
+        """What the user's own estimator said, if it was one; it itself is not asked."""
+        grounding = self.plan.grounding
+        return ReadingOut(grounding.estimates) if grounding is not None and self.plan.brief.estimator else None
+
+    @cached_property
+    def answers(self) -> dict[tuple[str, str, str, str | None], tuple[Estimated, ...]]:
+        """What the user's own estimator said, by type, action, capability and where."""
+        found: dict[tuple[str, str, str, str | None], tuple[Estimated, ...]] = {}
+        for said in self.plan.grounding.estimates if self.plan.grounding is not None else ():
+            about = (said.robot_type, said.action, said.rating, said.at)
+            found[about] = (*found.get(about, ()), said)
+        return found
 
     @cached_property
     def routine_nodes(self) -> tuple[MissionNode, ...]:

@@ -28,7 +28,18 @@ def taken_on_trust(plan: Plan) -> tuple[Reason, ...]:
         A notice for each such claim; empty if the checker confirms all of them.
     """
     case = Case(plan)
-    return (*_ranking(case), *_bounds(case), *_impossible(case), *_declared(case))
+    return (*_estimates(case), *_ranking(case), *_bounds(case), *_impossible(case), *_declared(case))
+
+
+def _estimates(case: Case) -> Iterator[Reason]:
+    source = case.plan.brief.estimator
+    if source is not None and case.plan.grounding is not None:
+        yield _notice(
+            "estimates_on_trust",
+            f"Quality, duration and cost of every action are taken on the word of {source.shown}.",
+            source.name,
+            "the fleet",
+        )
 
 
 def _ranking(case: Case) -> Iterator[Reason]:

@@ -44,6 +44,7 @@ def command(
     without: options.Without = None,
     require: options.Require = None,
     min_quality: options.MinQualityText = None,
+    estimator: options.EstimatorFile = None,
     k: options.Alternatives = None,
     model: options.Model = None,
     base_url: options.BaseUrl = None,
@@ -76,6 +77,7 @@ def command(
         without=without,
         require=require,
         min_quality=min_quality,
+        estimator=estimator,
         k=k,
         allocator=None,
         model=author_named(model, replay),
@@ -94,7 +96,7 @@ def command(
                 show(reason_line(reason), colour)
         return OUTCOMES[outcome]
     brief = request.brief
-    flat = flatten(ground(authored.tree, brief).tree, brief.fleet, brief.weights, brief.terms)
+    flat = flatten(ground(authored.tree, brief, request.estimator).tree, brief.fleet, brief.weights, brief.terms)
     runs = []
     for name, allocate in ALLOCATORS.items():
         started = time.perf_counter()

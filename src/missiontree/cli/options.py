@@ -75,6 +75,14 @@ MinQualityText = Annotated[
         ),
     ),
 ]
+EstimatorFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--estimator",
+        metavar="FILE.py",
+        help="File of an estimator of your own, which is run. Default: the mission file's, else what the fleet states.",
+    ),
+]
 Alternatives = Annotated[
     int | None, typer.Option("-k", "--alternatives", metavar="K", help="How many alternatives. Default 4.")
 ]

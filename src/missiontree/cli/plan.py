@@ -31,6 +31,7 @@ def command(
     without: options.Without = None,
     require: options.Require = None,
     min_quality: options.MinQualityText = None,
+    estimator: options.EstimatorFile = None,
     k: options.Alternatives = None,
     allocator: Annotated[
         str | None,
@@ -81,6 +82,7 @@ def command(
         without=without,
         require=require,
         min_quality=min_quality,
+        estimator=estimator,
         k=k,
         allocator=allocator,
         model=author_named(model, replay),

@@ -9,7 +9,12 @@ from missiontree.mission.fleet import Capability
 
 
 class Estimator(Protocol):
-    """Says how well, how long and how dear one action of one robot type will be."""
+    """
+    Says how well, how long and how dear one action of one robot type will be.
+
+    Allocation ranks by what it says of an action with its travel. Schedules take from it how long the action itself goes on, by
+    asking once more without travel; the travel of schedules is that of the map.
+    """
 
     def estimate(
         self,
@@ -21,9 +26,11 @@ class Estimator(Protocol):
         *,
         robot_type: str = "",
         action: str = "",
+        rating: str = "",
+        at: str = "",
     ) -> Estimate:
         """
-        Estimate one action, as allocation will rank it.
+        Estimate one action, as allocation will rank it. The same question gets the same answer.
 
         Parameters
         ----------
@@ -42,5 +49,9 @@ class Estimator(Protocol):
             Id of the type, for estimators that know more than its table of capabilities.
         action
             Name of the primitive action, likewise.
+        rating
+            Name of the capability that rates it, likewise.
+        at
+            Id of the entity or place where it is done, or that it goes to, likewise; empty if anywhere.
         """
         ...

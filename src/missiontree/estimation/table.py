@@ -38,8 +38,10 @@ class TableEstimator:
         *,
         robot_type: str = "",
         action: str = "",
+        rating: str = "",
+        at: str = "",
     ) -> Estimate:
-        """Look the action up; see :meth:`missiontree.estimation.estimator.Estimator.estimate`. Who and what are not needed."""
+        """Look the action up; see :meth:`missiontree.estimation.estimator.Estimator.estimate`. Who, what and where are not needed."""
         duration_s = travel_s + (0.0 if nominal_s is None else working_s(capability, nominal_s))
         model = capability.cost
         cost = nominal_cost + model.fixed + model.per_s * duration_s + model.per_m * travel_m

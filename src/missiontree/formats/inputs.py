@@ -10,7 +10,11 @@ from missiontree.mission.tree import MissionTree
 
 
 def inputs_of(brief: MissionBrief, tree: MissionTree | None) -> dict[str, Any]:
-    """Every input by name: mission (its words), fleet, scene, routines, entities, weights, kinds (enforced or not), goals, terms, tree."""
+    """
+    Every input by name.
+
+    Mission (its words), fleet, scene, routines, entities, weights, kinds (enforced or not), goals, terms, estimator, tree.
+    """
     inputs = {
         "mission": brief.text,
         "fleet": brief.fleet,
@@ -23,6 +27,7 @@ def inputs_of(brief: MissionBrief, tree: MissionTree | None) -> dict[str, Any]:
         "without": brief.without or None,
         "require": brief.require or None,
         "min_quality": brief.min_quality or None,
+        "estimator": brief.estimator,
         "tree": tree,
     }
     return {name: value for name, value in inputs.items() if value is not None}

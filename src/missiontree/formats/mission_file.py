@@ -33,6 +33,8 @@ class MissionFile(Value):
         Paths of files with routines beside the built-in ones. A file whose name ends in ``.py`` is run.
     methods
         Paths of files with mission methods of the offline author beside the built-in ones.
+    estimator
+        Path of a Python file with an estimator of one's own, which is run. Default: the fleet's table.
     entities
         What the mission's words mean where the scene does not say it, such as the kind of a thing; corrects what was inferred.
     weights
@@ -64,6 +66,7 @@ class MissionFile(Value):
     scene: str | None = None
     routines: tuple[str, ...] = ()
     methods: tuple[str, ...] = ()
+    estimator: str | None = None
     entities: tuple[Entity, ...] = ()
     weights: Weights = Weights()
     k: Count = 4

@@ -8,6 +8,7 @@ from functools import cached_property
 
 from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
+from missiontree.mission.estimator_source import EstimatorSource
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.goal import Goal, all_goals, check_goals
 from missiontree.mission.routine import RoutineLibrary
@@ -47,6 +48,8 @@ class MissionBrief(Value):
         Quality that every action must have at least: one number for all (``0.5``), or a number by routine or capability
         (``{Search: 0.8, carry: 0.5}``), of which the highest that applies counts. At least 0, default 0. Who would do worse is not
         offered.
+    estimator
+        Whose the estimates are, if not the fleet's: an estimator of the user's own. Default: the fleet's table.
 
     Raises
     ------
@@ -65,6 +68,7 @@ class MissionBrief(Value):
     without: tuple[Id, ...] = ()
     require: tuple[Id, ...] = ()
     min_quality: NonNegative | Mapping[Id, NonNegative] = 0.0
+    estimator: EstimatorSource | None = None
 
     def _check(self) -> None:
         world = self.world
@@ -105,7 +109,13 @@ class MissionBrief(Value):
     @cached_property
     def terms(self) -> Terms:
         """What is asked of the mission as a whole."""
-        return Terms(without=self.without, require=self.require, min_quality=self.min_quality, stock=self.world.stock)
+        return Terms(
+            without=self.without,
+            require=self.require,
+            min_quality=self.min_quality,
+            stock=self.world.stock,
+            by_estimator=self.estimator is not None,
+        )
 
     @cached_property
     def team(self) -> Fleet:

@@ -13,6 +13,7 @@ from functools import cached_property
 from typing import Literal
 
 from missiontree.mission.estimate import Estimate
+from missiontree.mission.estimator_source import Estimated
 from missiontree.mission.reason import Reason
 from missiontree.mission.tree import LinkKind
 from missiontree.mission.value import Id, Index, NonNegative, Value
@@ -41,8 +42,8 @@ class Action(Value):
         Quality, duration and cost that allocation ranks by. The duration includes what is known beforehand of the travel, an
         approach counted from the start of the type's nearest robot.
     duration_s
-        Its own working time, travel excluded, the type's duration model applied. For a move: what it takes when positions are
-        unknown.
+        Its own working time, travel excluded, as the estimator has it: by default the type's duration model applied. For a move:
+        what it takes when positions are unknown.
     uses
         What it uses of the robot's budgets, travel excluded.
     uses_at_least
@@ -215,6 +216,8 @@ class Grounding(Value):
         What was added on the operator's behalf, such as an order between two uses of one entity.
     findings
         What may be wrong with the tree, such as the use of a lost entity that nobody searches for.
+    estimates
+        All that an estimator of the user's own said; empty if the estimates are the fleet's.
     """
 
     tree: GroundedTree
@@ -222,3 +225,4 @@ class Grounding(Value):
     assumptions: tuple[Reason, ...] = ()
     notices: tuple[Reason, ...] = ()
     findings: tuple[Reason, ...] = ()
+    estimates: tuple[Estimated, ...] = ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from missiontree.mission.estimate import Weights
+from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Capability, Fleet
 from missiontree.mission.routine import RoutineLibrary
 
@@ -38,6 +38,16 @@ def refuse_huge(fleet: Fleet, routines: RoutineLibrary, weights: Weights) -> Non
                     f"capability {name!r} of robot type {robot_type.id!r} counts for more than {MOST:,.0f} in one action: "
                     "its quality, its duration or its cost, or a weight, is too large."
                 )
+
+
+def counts_too_much(estimate: Estimate, weights: Weights) -> bool:
+    """Whether an action could count for more than that, whatever the sign of its parts."""
+    parts = (
+        weights.alpha * estimate.quality,
+        weights.beta * estimate.duration_s,
+        weights.gamma * estimate.cost,
+    )
+    return not sum(parts) <= MOST
 
 
 def _counts(capability: Capability, longest_s: float, dearest: float, weights: Weights) -> float:

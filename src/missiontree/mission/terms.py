@@ -28,12 +28,15 @@ class Terms:
         Quality that every action must have at least: one number for all, or numbers by routine or capability. Default 0.
     stock
         What the scene holds for the whole mission.
+    by_estimator
+        Whether qualities are said by an estimator of the user's own, so that the fleet's do not tell who is good enough.
     """
 
     without: tuple[str, ...] = ()
     require: tuple[str, ...] = ()
     min_quality: MinQuality = 0.0
     stock: Mapping[str, float] = field(default_factory=dict)
+    by_estimator: bool = False
 
     def team_of(self, fleet: Fleet) -> Fleet:
         """
@@ -70,6 +73,11 @@ class Terms:
     def required_robots(self, fleet: Fleet) -> tuple[str, ...]:
         """Robots that must take part, by name."""
         return tuple(name for name in self.require if name not in fleet.by_id)
+
+    @property
+    def judged_by_estimator(self) -> bool:
+        """Whether there is a minimum that only an estimator of the user's own can hold anybody to."""
+        return self.by_estimator and bool(self.min_quality)
 
     def least_quality(self, capability: str, routines: Iterable[str]) -> float:
         """Quality that an action must have that is rated by a capability and done in these routines, one inside the other."""

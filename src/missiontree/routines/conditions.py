@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from missiontree.mission.entity import Entity
@@ -57,13 +57,15 @@ def judge(role: FlatRole, robot_type: RobotType, entities: Mapping[str, Entity],
     )
 
 
-def quality_refused(role: FlatRole, robot_type: RobotType, terms: Terms, routine: str, task: str) -> Reason | None:
-    """Why a type that can fill a role does not do so well enough for the mission; None if it does. The worst is told."""
+def quality_refused(
+    role: FlatRole, robot_type: RobotType, qualities: Sequence[float], terms: Terms, routine: str, task: str
+) -> Reason | None:
+    """Why a type that does the actions of a role so well is not good enough for the mission; None if it is. The worst is told."""
     worst: tuple[float, str, float, float] | None = None
-    for action in role.actions:
-        has, least = robot_type.capability(action.rating), terms.least_quality(action.rating, (*action.parts, routine))
-        if has is not None and has.quality < least:
-            worst = min(worst or (0.0, "", 0.0, 0.0), (has.quality - least, action.rating, has.quality, least))
+    for action, quality in zip(role.actions, qualities, strict=True):
+        least = terms.least_quality(action.rating, (*action.parts, routine))
+        if quality < least:
+            worst = min(worst or (0.0, "", 0.0, 0.0), (quality - least, action.rating, quality, least))
     if worst is None:
         return None
     _, capability, found, needed = worst

@@ -11,7 +11,6 @@ from itertools import combinations_with_replacement, product
 
 from missiontree.errors import InputError
 from missiontree.estimation.estimator import Estimator
-from missiontree.estimation.table import working_s
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.frozen_map import FrozenMap
@@ -19,6 +18,7 @@ from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, Nod
 from missiontree.mission.tree import MissionNode
 from missiontree.routines.calls import Call, Way
 from missiontree.routines.compose import FlatAction, FlatRole, Order
+from missiontree.routines.estimates import said_of
 from missiontree.routines.itinerary import Travel
 
 MAX_TEAMS = 10_000
@@ -165,31 +165,20 @@ def _action(
     flat: FlatAction, robot_type: RobotType, travel: Travel, entities: Mapping[str, Entity], estimator: Estimator
 ) -> Action:
     step = flat.step
-    capability = robot_type.capability(flat.rating)
-    assert capability is not None, "a type in a role has its ratings"
-    moves = step.goes_to is not None
     target = step.goes_to or step.at
-    only_travel = moves and travel.duration_s is not None
+    said = said_of(flat, robot_type, travel, entities, estimator)
     return Action(
         name=step.name,
         text=_text(flat, robot_type, entities),
         role=0,
         robot_type=robot_type.id,
         capability=flat.rating,
-        estimate=estimator.estimate(
-            capability,
-            None if only_travel else step.duration_s,
-            step.cost,
-            travel.distance_m,
-            travel.duration_s or 0.0,
-            robot_type=robot_type.id,
-            action=step.name,
-        ),
-        duration_s=working_s(capability, step.duration_s),
+        estimate=said.estimate,
+        duration_s=said.alone_s,
         uses=step.uses,
         uses_at_least=_certain_uses(step.uses, robot_type, travel.certain_m),
         at=None if target is None else entities[target].id,
-        moves=moves,
+        moves=step.goes_to is not None,
         brings=tuple(dict.fromkeys(entities[name].id for name in step.brings)),
         finds=None if step.finds is None else entities[step.finds].id,
         open_ended=step.open_ended,

@@ -6,14 +6,19 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from missiontree.errors import InputError
+from missiontree.estimation.answers import WritingDown
 from missiontree.estimation.estimator import Estimator
 from missiontree.estimation.table import TableEstimator
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.estimator_source import Estimated
 from missiontree.mission.grounded import GroundedLink, GroundedTree, Grounding
+from missiontree.mission.magnitude import MOST, counts_too_much
+from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.tree import Link, MissionTree
 from missiontree.routines.calls import Call, calls_of
 from missiontree.routines.expansion import Expansion
+from missiontree.routines.good_enough import good_enough
 from missiontree.routines.open_ended import pointless_until
 from missiontree.routines.order import RoutineOrder, order_moved
 from missiontree.routines.review import assumed_positions, lost_entities, never_binding
@@ -34,12 +39,15 @@ def ground(tree: MissionTree, brief: MissionBrief, estimator: Estimator | None =
         Fleet, scene and routines.
     estimator
         What says how well, how long and how dear. Default: the table of the fleet.
+        A brief that names an estimator of the user's own needs it.
 
     Raises
     ------
     InputError
-        If a routine, argument, entity or robot type is not known, a leaf is no routine, or links contradict each other.
+        If a routine, argument, entity or robot type is not known, a leaf is no routine, or links contradict each other; if the brief
+        names an estimator and none is given, or it says what cannot be worked with.
     """
+    asked = _asked(brief, estimator)
     world = _world(tree, brief)
     for leaf in tree.open_leaves:
         raise InputError(f"task {leaf.label!r} is a leaf.", where=leaf.id, accepted="routines as leaves")
@@ -51,20 +59,56 @@ def ground(tree: MissionTree, brief: MissionBrief, estimator: Estimator | None =
             raise InputError(message, where="links", accepted="an until link from something open-ended, such as Follow")
     order = RoutineOrder(tree)
     calls = calls_of(tree, brief, world)
+    if brief.terms.judged_by_estimator:
+        calls = good_enough(calls, tree, brief, asked)
     added, notices = order_moved(tree, calls, order)
+    grounded = _grounded(tree, brief, calls, (*tree.links, *added), asked)
     return Grounding(
-        tree=_grounded(tree, brief, calls, (*tree.links, *added), estimator or TableEstimator()),
+        tree=grounded,
         not_offered=tuple(replace(reason, node=name) for name, call in calls.items() for reason in call.not_offered),
         assumptions=(
             *(replace(reason, node=name) for name, call in calls.items() for reason in call.assumptions),
             *assumed_positions(calls, world, brief.scene is not None),
         ),
-        notices=tuple(notices),
+        notices=(*notices, *_own_estimator(brief)),
         findings=(
             *never_binding(tree, order.selection),
             *(lost_entities(tree, calls, order, world) if brief.scene is not None else ()),
         ),
+        estimates=_answers(brief, asked),
     )
+
+
+def _asked(brief: MissionBrief, estimator: Estimator | None) -> Estimator:
+    """Who is asked; if it is not the fleet's table, what it says is written down."""
+    if brief.estimator is not None and estimator is None:
+        raise InputError(
+            f"the estimates of this mission are those of {brief.estimator.shown}, and it is not there.",
+            where="estimator",
+            hint="Hand it in.",
+        )
+    estimator = estimator or TableEstimator()
+    return estimator if brief.estimator is None else WritingDown(estimator)
+
+
+def _own_estimator(brief: MissionBrief) -> tuple[Reason, ...]:
+    if brief.estimator is None:
+        return ()
+    message = f"Quality, duration and cost of every action are as {brief.estimator.shown} estimates them, not as the fleet states."
+    return (Reason(rule="own_estimator", message=message, severity="notice", found=brief.estimator.name),)
+
+
+def _answers(brief: MissionBrief, asked: Estimator) -> tuple[Estimated, ...]:
+    if not isinstance(asked, WritingDown):
+        return ()
+    for said in asked.answers:
+        if counts_too_much(said.estimate, brief.weights):
+            raise InputError(
+                f"the estimate of action {said.action!r} by robot type {said.robot_type!r} counts for more than {MOST:,.0f}: "
+                "its quality, its duration or its cost, or a weight, is too large.",
+                where="estimator",
+            )
+    return asked.answers
 
 
 def _world(tree: MissionTree, brief: MissionBrief) -> Scene:

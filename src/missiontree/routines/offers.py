@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 from missiontree.mission.entity import Entity
-from missiontree.mission.fleet import Fleet
+from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Routine, RoutineLibrary
 from missiontree.mission.scene import Scene
 from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.routines.arguments import check_arguments, check_resources
-from missiontree.routines.compose import FlatBranch, flatten
+from missiontree.routines.compose import FlatBranch, FlatRole, flatten
 from missiontree.routines.conditions import judge, kind_refused, quality_refused
 from missiontree.routines.staffing import shortage
 
@@ -150,16 +151,25 @@ def _good_types(
     branch: FlatBranch, types: tuple[tuple[str, ...], ...], team: Fleet, terms: Terms, routine: str, task: str
 ) -> tuple[tuple[tuple[str, ...], ...], list[Reason]]:
     """Of the types able to fill each role, those that do so well enough for the mission; then why others do not."""
-    if not terms.min_quality:
+    if not terms.min_quality or terms.by_estimator:
         return types, []
     good: list[tuple[str, ...]] = []
     refused: list[Reason] = []
     for role, able in zip(branch.roles, types, strict=True):
         part = task if len(branch.roles) == 1 else f"{role.name} of {task}"
-        found = {name: quality_refused(role, team.by_id[name], terms, routine, part) for name in able}
+        found = {
+            name: quality_refused(role, team.by_id[name], _stated(role, team.by_id[name]), terms, routine, part)
+            for name in able
+        }
         good.append(tuple(name for name, reason in found.items() if reason is None))
         refused += [reason for reason in found.values() if reason is not None]
     return tuple(good), refused
+
+
+def _stated(role: FlatRole, robot_type: RobotType) -> tuple[float, ...]:
+    """Quality of every action of a role, as the fleet states it."""
+    stated = (robot_type.capability(action.rating) for action in role.actions)
+    return tuple(math.inf if capability is None else capability.quality for capability in stated)
 
 
 def _excluded(call: str, fleet: Fleet, resources: tuple[str, ...] | None) -> list[Reason]:

@@ -15,16 +15,14 @@ branches (or the parts it is composed of)::
 from __future__ import annotations
 
 import importlib
-import importlib.util
 import inspect
-import sys
-import traceback
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from types import ModuleType
 from typing import Any, Literal, get_args, get_origin, get_type_hints, overload
 
 from missiontree.errors import InputError
+from missiontree.formats.python_file import cannot_run, run_file
 from missiontree.mission.routine import Argument, Branch, Part, Routine
 from missiontree.mission.scene import BASE_KINDS
 
@@ -128,32 +126,12 @@ def _kinds(name: str, parameter: str, hints: dict[str, Any]) -> tuple[str, ...]:
 
 def _module(source: Path | str) -> ModuleType:
     path = Path(source)
+    if path.suffix == ".py":
+        return run_file(path, "routines")
     try:
-        if path.suffix != ".py":
-            return importlib.import_module(str(source))
-        if not path.is_file():
-            raise InputError("there is no such file.", file=str(path), accepted="a Python file of routines")
-        name = f"missiontree_routines_{path.stem}"
-        spec = importlib.util.spec_from_file_location(name, path)
-        assert spec is not None, "a .py file always has a loader"
-        assert spec.loader is not None, "a .py file always has a loader"
-        module = importlib.util.module_from_spec(spec)
-        sys.modules[name] = module  # annotations are resolved by way of the module's name
-        spec.loader.exec_module(module)
+        return importlib.import_module(str(source))
     except InputError as error:
         error.file = error.file or str(path)
         raise
     except (Exception, SystemExit) as error:  # the user's own code may fail, or end the program, in any way
-        raise InputError(
-            f"the module cannot be run: {type(error).__name__}: {error}", file=str(source), line=_line(error, path)
-        ) from error
-    return module
-
-
-def _line(error: BaseException, path: Path) -> int:
-    """Line of a file that an error came by last; 0 if it did not come by."""
-    if isinstance(error, SyntaxError):
-        return error.lineno or 0
-    frames = traceback.extract_tb(error.__traceback__)
-    lines = [frame.lineno or 0 for frame in frames if Path(frame.filename) == path.absolute()]
-    return lines[-1] if lines else 0
+        raise cannot_run(error, path) from error
