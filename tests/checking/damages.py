@@ -16,6 +16,8 @@ from missiontree.mission.alternative import Alternative, Assignment, Choice, Rol
 from missiontree.mission.area import Zone
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.entity import Entity
+from missiontree.mission.estimate import Estimate
+from missiontree.mission.estimator_source import Estimated
 from missiontree.mission.fleet import Robot, RobotType
 from missiontree.mission.grounded import GroundedNode, GroundedTree, Grounding
 from missiontree.mission.plan import Plan
@@ -413,10 +415,60 @@ def fleet_lost_capabilities(plan: Plan) -> Iterator[Plan]:
 
 @breaks("quality_differs")
 def quality_raised(plan: Plan) -> Iterator[Plan]:
-    for leaf, node in leaves(plan):
+    for leaf, node in leaves(plan) if plan.brief.estimator is None else ():
         assert node.action is not None
         estimate = replace(node.action.estimate, quality=node.action.estimate.quality + 0.25)
         yield with_action(plan, leaf, estimate=estimate)
+
+
+@breaks("quality_differs")
+def estimator_forgotten(plan: Plan) -> Iterator[Plan]:
+    if plan.brief.estimator is not None:
+        yield with_brief(plan, estimator=None)
+
+
+@breaks("estimate_unsaid")
+def own_estimate_changed(plan: Plan) -> Iterator[Plan]:
+    for leaf, node in leaves(plan) if plan.brief.estimator is not None else ():
+        assert node.action is not None
+        for what in ("quality", "duration_s", "cost"):
+            number = getattr(node.action.estimate, what) + 0.25
+            yield with_action(plan, leaf, estimate=replace(node.action.estimate, **{what: number}))
+
+
+@breaks("action_differs")
+def own_duration_changed(plan: Plan) -> Iterator[Plan]:
+    for leaf, node in leaves(plan) if plan.brief.estimator is not None else ():
+        assert node.action is not None
+        yield with_action(plan, leaf, duration_s=node.action.duration_s + 1)
+
+
+@breaks("estimates_differ")
+def answer_added(plan: Plan) -> Iterator[Plan]:
+    said = Estimated(robot_type="cart", action="dance", rating="reach", estimate=Estimate(1))
+    if plan.grounding is not None:
+        yield replace(plan, grounding=replace(plan.grounding, estimates=(*plan.grounding.estimates, said)))
+
+
+@breaks("grounding_impossible")
+def answer_lost(plan: Plan) -> Iterator[Plan]:
+    """Without an answer the tree cannot be made again; that of somebody who was not good enough included."""
+    assert plan.grounding is not None
+    answers = plan.grounding.estimates
+    for place in range(len(answers)):
+        yield replace(plan, grounding=replace(plan.grounding, estimates=(*answers[:place], *answers[place + 1 :])))
+
+
+@breaks("grounding_differs")
+def answer_changed(plan: Plan) -> Iterator[Plan]:
+    assert plan.grounding is not None
+    answers = plan.grounding.estimates
+    for place, said in enumerate(answers):
+        better = replace(said, estimate=replace(said.estimate, quality=said.estimate.quality + 0.5))
+        # Of an action without its travel only the duration is used, and nothing of a type that is not good enough anyway.
+        if said.travel_m and any(node.action is not None and node.action.estimate == said.estimate for _, node in leaves(plan)):
+            estimates = (*answers[:place], better, *answers[place + 1 :])
+            yield replace(plan, grounding=replace(plan.grounding, estimates=estimates))
 
 
 @breaks("routine_not_followed")

@@ -31,6 +31,8 @@ FREE = tuple(
         r"(ranking|ranking/alternatives/\d+|schedules/\d+)/certificate/detail",
         r"ranking/(examined|reasons(/\d+(/\w+)?)?)",
         r"(assumptions|notices)/\d+/(rule|message|hint|found|needed|severity)",  # the author's; grounding's are compared
+        # what an estimator of the user's own said of those who are not good enough, and more than is asked of it
+        r"grounding/estimates/\d+/estimate/(quality|duration_s|cost)",
         # how the author understood the text, and what took part
         r"provenance/(reading(/\d+)?|allocator|scheduler|seed|versions(/\w+)?)",
     )
