@@ -466,7 +466,9 @@ def answer_changed(plan: Plan) -> Iterator[Plan]:
     for place, said in enumerate(answers):
         better = replace(said, estimate=replace(said.estimate, quality=said.estimate.quality + 0.5))
         # Of an action without its travel only the duration is used, and nothing of a type that is not good enough anyway.
-        if said.travel_m and any(node.action is not None and node.action.estimate == said.estimate for _, node in leaves(plan)):
+        if said.travel_m and any(
+            node.action is not None and node.action.estimate == said.estimate for _, node in leaves(plan)
+        ):
             estimates = (*answers[:place], better, *answers[place + 1 :])
             yield replace(plan, grounding=replace(plan.grounding, estimates=estimates))
 

@@ -12,7 +12,9 @@ from missiontree import plan
 from tests.cli.running import Shell
 
 PAGE = (Path(__file__).parents[2] / "docs/how-to/bring-an-estimator.md").read_text(encoding="utf-8")
-FILES = {f"{name}.yaml": text for name, text in re.findall(r"<!-- example: (\w+) -->\n```yaml\n(.*?)```", PAGE, re.DOTALL)}
+FILES = {
+    f"{name}.yaml": text for name, text in re.findall(r"<!-- example: (\w+) -->\n```yaml\n(.*?)```", PAGE, re.DOTALL)
+}
 FILES |= dict(re.findall(r"<!-- file: ([\w.]+) -->\n```\w+\n(.*?)```", PAGE, re.DOTALL))
 SHOWN = re.findall(r"<!-- shows(?:: ([^\n]*) => ([^\n]*))? -->\n```text\n(.*?)```", PAGE, re.DOTALL)
 
@@ -27,7 +29,12 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.mark.parametrize(("was", "becomes", "shown"), SHOWN, ids=range(len(SHOWN)))
 def test_the_page_shows_what_is_printed(
-    was: str, becomes: str, shown: str, folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    was: str,
+    becomes: str,
+    shown: str,
+    folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     mission = folder / "mission.yaml"
     assert was in FILES["mission.yaml"]

@@ -23,6 +23,7 @@ class Estimator(Protocol):
         nominal_cost: float = 0.0,
         travel_m: float = 0.0,
         travel_s: float = 0.0,
+        /,
         *,
         robot_type: str = "",
         action: str = "",
