@@ -8,6 +8,7 @@ from missiontree.mission.brief import MissionBrief
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Estimate, Weights
+from missiontree.mission.estimator_source import Estimated, EstimatorSource
 from missiontree.mission.fleet import Capability, CostModel, Fleet, Robot, RobotType
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, GroundedTree, Grounding, Role
 from missiontree.mission.plan import Plan, Provenance
@@ -135,9 +136,28 @@ def whole_plan() -> Plan:
             scene=_scene(),
             weights=Weights(1, 0.125),
             check_kinds=False,
+            estimator=EstimatorSource(name="mine.py", digest="0" * 64),
         ),
         tree=_tree(),
-        grounding=Grounding(tree=_grounded(), not_offered=(_reason("error"),), notices=(_reason("notice"),)),
+        grounding=Grounding(
+            tree=_grounded(),
+            not_offered=(_reason("error"),),
+            notices=(_reason("notice"),),
+            estimates=(
+                Estimated(robot_type="scout", action="look", rating="search", estimate=Estimate(1, 2.5)),
+                Estimated(
+                    robot_type="scout",
+                    action="go",
+                    rating="search",
+                    at="hall",
+                    nominal_s=0.0,
+                    nominal_cost=0.1,
+                    travel_m=3.25,
+                    travel_s=1e-3,
+                    estimate=Estimate(0.1, 0.2, 0.3),
+                ),
+            ),
+        ),
         ranking=Ranking(alternatives=(best,), status="exact", certificate=proven, examined=3),
         schedules=(schedule,),
         findings=(_reason("warning"),),

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 from itertools import product
 from random import Random
+from typing import Any
 
 import pytest
 
 from missiontree.allocation.exhaustive import Exhaustive
 from missiontree.allocation.flat import Flat, flatten
 from missiontree.allocation.kbest import ExactKBest
+from missiontree.estimation.own import own_estimator
+from missiontree.estimation.table import TableEstimator
 from missiontree.mission.alternative import selected_leaves
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.control import Control
+from missiontree.mission.estimate import Estimate
+from missiontree.mission.estimator_source import EstimatorSource
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.grounded import Grounding
 from missiontree.mission.routine import ActionStep, Argument, Branch, RoleSpec, Routine, RoutineLibrary
@@ -104,6 +109,51 @@ def test_the_best_under_a_minimum_are_those_of_all_that_keep_it() -> None:
         found = [alternative.utility for alternative in ranking.alternatives]
         assert found == [utility for utility, _ in kept], f"mission {index}"
     assert refused > DRAWN // 10
+
+
+def test_an_estimator_that_says_what_the_fleet_states_refuses_those_that_the_fleet_does() -> None:
+    """The two ways to hold types to a minimum, offers by the fleet and calls by an estimator, on 300 missions."""
+    refused = 0
+    for index in range(DRAWN):
+        rng = Random(f"estimator:{index}")  # noqa: S311 - luck for tests, not for secrets
+        tree, fleet, least = drawn(rng)
+        by_fleet = ground(tree, brief_of(tree, fleet=fleet, min_quality=least))
+        brief = brief_of(tree, fleet=fleet, min_quality=least, estimator=EstimatorSource(name="the table"))
+        by_estimator = ground(tree, brief, TableEstimator())
+        assert by_estimator.tree == by_fleet.tree, f"mission {index}"
+        assert by_estimator.not_offered == by_fleet.not_offered, f"mission {index}"
+        refused += any(reason.rule == "quality_below_minimum" for reason in by_fleet.not_offered)
+    assert refused > DRAWN // 10
+
+
+def test_a_way_that_takes_several_is_lost_if_nobody_is_good_enough_for_one_part() -> None:
+    """The carrier lifts well, and by the estimator's word nobody guides better than 0.4."""
+    steps = {name: ActionStep(name=name, text=name) for name in ("lift", "guide")}
+    roles = tuple(RoleSpec(name=name, rating=name, actions=(step,)) for name, step in steps.items())
+    both = Routine(
+        id="Both",
+        purpose="Lift and guide {agent}",
+        arguments=(Argument(name="agent", kinds=("person",)),),
+        branches=(Branch(name="b", roles=roles),),
+    )
+    fleet = Fleet(tuple(RobotType(id=name, count=2, capabilities={"lift": 1.0, "guide": 1.0}) for name in ("a", "b")))
+    tree = flat_tree(routine_node("both", "Both", agent="Child"), entities=people("Child"))
+
+    def said(*question: Any, rating: str, **about: str) -> Estimate:
+        return Estimate(0.4 if rating == "guide" else 1.0)
+
+    own = own_estimator(said)
+    assert own is not None
+    library = RoutineLibrary(routines=(both,))
+    brief = brief_of(tree, fleet=fleet, routines=library, min_quality=0.5, estimator=own.source)
+    grounding = ground(tree, brief, own)
+    assert types_of(grounding) == set()
+    rules = [(reason.rule, reason.robot, reason.needed) for reason in grounding.not_offered]
+    assert rules == [
+        ("quality_below_minimum", "a", "guide 0.5"),
+        ("quality_below_minimum", "b", "guide 0.5"),
+        ("no_robot_able", "", "guide"),
+    ]
 
 
 Entry = tuple[float, list[tuple[str, str, float]]]
