@@ -20,6 +20,8 @@ def couples(flat: Flat) -> bool:
 
 
 def _crowded_team(flat: Flat) -> bool:
+    if set(flat.team) <= {None}:
+        return False
     filled = {(role, kind) for role, kind in zip(flat.role, flat.robot_type, strict=True) if role >= 0}
     sizes = Counter((flat.team[role], kind) for role, kind in filled if flat.team[role] is not None)
     return any(size > flat.stocks[kind].usable for (_, kind), size in sizes.items())
@@ -27,11 +29,9 @@ def _crowded_team(flat: Flat) -> bool:
 
 def _torn_role(flat: Flat) -> bool:
     """Whether one AND reaches the same role from two sides, with more than one type between them."""
-    types: dict[int, set[str]] = {}
-    for role, kind in zip(flat.role, flat.robot_type, strict=True):
-        if role >= 0:
-            types.setdefault(role, set()).add(kind)
-    changing = {role for role, kinds in types.items() if len(kinds) > 1}
+    first: dict[int, str] = {}
+    filled = zip(flat.role, flat.robot_type, strict=True)
+    changing = {role for role, kind in filled if role >= 0 and first.setdefault(role, kind) != kind}
     if not changing:
         return False
     below: dict[int, dict[int, set[str]]] = {}

@@ -9,21 +9,25 @@ listed, and a pool of feasible alternatives (:mod:`pool`) stands in for what was
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
+from typing import NamedTuple
 
+from missiontree.allocation.arrays.ways import Draft
 from missiontree.allocation.core import core_of
 from missiontree.allocation.coupling import couples
 from missiontree.allocation.feasibility import DEFAULT_STEPS, Feasibility
 from missiontree.allocation.flat import Flat, flatten
 from missiontree.allocation.item import Item, choices_of
 from missiontree.allocation.pool import fill
-from missiontree.allocation.possible import possible_nodes, reasons_of
+from missiontree.allocation.possible import Possibility, possible_nodes, reasons_of
 from missiontree.allocation.purses import purses_of
 from missiontree.allocation.rounds import Rounds
 from missiontree.allocation.search import BY_BOUNDS, Search
 from missiontree.allocation.selection import select
 from missiontree.allocation.streams import Stream, best_first, stream_of
+from missiontree.allocation.uncoupled import Uncoupled, Written
 from missiontree.allocation.writing import impossible, no_robot_able, require_count
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.control import Control
@@ -63,24 +67,73 @@ class ExactKBest:
         """See :class:`missiontree.allocation.allocator.Allocator`."""
         require_count(k)
         flat = flatten(tree, fleet, weights)
+        if not couples(flat):
+            return self._uncoupled(flat, k, control)
         possibility = possible_nodes(flat)
         stream = stream_of(flat, possibility.possible)
         if stream is None:
-            reasons = reasons_of(flat, possibility, "error") or no_robot_able(flat)
-            return impossible("least_use", "No selection stays within what there is.", reasons)
-        referee = Feasibility(flat, self.packing_steps) if couples(flat) else None
-        search = Search(flat, possibility, referee, k, control)
-        return _Road(search, stream, possibility.possible, self).walk()
+            return _none(flat, possibility)
+        search = Search(flat, possibility, Feasibility(flat, self.packing_steps), k, control)
+        return _Road(search, _drawn(search, stream), self).walk()
+
+    def _uncoupled(self, flat: Flat, k: int, control: Control) -> Ranking:
+        problem = Uncoupled(flat)
+        possibility = Possibility(problem.possible)
+        best = problem.best(k)
+        if best is None:
+            return _none(flat, possibility)
+        search = Search(flat, possibility, None, k, control)
+        return _Road(search, _written(search, best), self).walk()
+
+
+class Candidate(NamedTuple):
+    """
+    The next in the order of alternatives.
+
+    Parameters
+    ----------
+    utility
+        In millionths.
+    look
+        Shows it to the search.
+    """
+
+    utility: int
+    look: Callable[[], None]
+
+
+def _none(flat: Flat, possibility: Possibility) -> Ranking:
+    reasons = reasons_of(flat, possibility, "error") or no_robot_able(flat)
+    return impossible("least_use", "No selection stays within what there is.", reasons)
+
+
+def _drawn(search: Search, stream: Stream) -> Iterator[Candidate]:
+    """All ways through the tree, for the referee to decide."""
+    for item in best_first(stream):
+        yield Candidate(item.utility, partial(_look, search, item))
+
+
+def _look(search: Search, item: Item) -> None:
+    search.look_at(item.utility, select(search.flat, choices_of(item), search.possibility.possible))
+
+
+def _written(search: Search, best: Written) -> Iterator[Candidate]:
+    """The k best ways, which nobody has to decide."""
+    for draft in best:
+        yield Candidate(draft.utility, partial(_list, search, best, draft))
+
+
+def _list(search: Search, best: Written, draft: Draft) -> None:
+    search.list_next(draft.utility, best.parts(draft))
 
 
 class _Road:
     """The stages of one search, each of which may finish it."""
 
-    def __init__(self, search: Search, stream: Stream, possible: Sequence[bool], settings: ExactKBest) -> None:
-        self.search, self.possible, self.settings = search, possible, settings
-        self.flat, self.control = search.flat, search.control
-        self.items = best_first(stream)
-        self.waiting: Item | None = None  # drawn from the plain stream and not looked at yet
+    def __init__(self, search: Search, candidates: Iterator[Candidate], settings: ExactKBest) -> None:
+        self.search, self.candidates, self.settings = search, candidates, settings
+        self.flat, self.possible, self.control = search.flat, search.possibility.possible, search.control
+        self.waiting: Candidate | None = None  # drawn and not looked at yet
 
     def walk(self) -> Ranking:
         """All stages."""
@@ -118,14 +171,14 @@ class _Road:
     def _plainly(self, most: int, patience: int) -> bool:
         """Look at candidates of the plain stream, up to so many in all or refused; whether that finished the search."""
         while not self.search.full:
-            item = self.waiting or next(self.items, None)
-            if item is None:
+            candidate = self.waiting or next(self.candidates, None)
+            if candidate is None:
                 return True
-            self.waiting = item
-            self.search.bound_by(item.utility)
+            self.waiting = candidate
+            self.search.bound_by(candidate.utility)
             if self._given_up(most) or self.search.refused >= patience:
                 return False
-            self.search.look_at(item.utility, select(self.flat, choices_of(item), self.possible))
+            candidate.look()
             self.waiting = None
         return True
 

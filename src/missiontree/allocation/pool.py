@@ -11,6 +11,7 @@ from __future__ import annotations
 import heapq
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import chain
 
 from missiontree.allocation.core import Core, Way
@@ -64,10 +65,6 @@ class Pool:
 
     def __init__(self, flat: Flat, possible: Sequence[bool], referee: Feasibility | None, k: int) -> None:
         self.flat, self.possible, self.referee, self.k = flat, possible, referee, k
-        self._places = [0] * len(flat.kind)
-        for children in flat.children:
-            for place, child in enumerate(children):
-                self._places[child] = place
         self._entries: dict[tuple[tuple[int, int], ...], Pooled | None] = {}
         self._best: list[int] = []  # heap of the k best utilities
         self._count: dict[int, int] = {}  # feasible ones by utility
@@ -118,10 +115,20 @@ class Pool:
 
     def listed(self) -> list[Pooled]:
         """All of them in the order of alternatives."""
+        places = self._places
         return sorted(
             (entry for entry in self._entries.values() if entry is not None),
-            key=lambda entry: (-entry.utility, [self._places[child] for _, child in entry.selection.choices]),
+            key=lambda entry: (-entry.utility, [places[child] for _, child in entry.selection.choices]),
         )
+
+    @cached_property
+    def _places(self) -> list[int]:
+        """Of each node among its siblings; a search that needs no pool never asks."""
+        places = [0] * len(self.flat.kind)
+        for children in self.flat.children:
+            for place, child in enumerate(children):
+                places[child] = place
+        return places
 
 
 def start(

@@ -10,7 +10,7 @@ from missiontree.allocation.pool import Pool, Pooled
 from missiontree.allocation.possible import Possibility, reasons_of
 from missiontree.allocation.refusals import Refusals
 from missiontree.allocation.selection import Selection
-from missiontree.allocation.writing import FREE, Writer, impossible
+from missiontree.allocation.writing import FREE, Parts, Writer, impossible
 from missiontree.mission.alternative import Alternative, Ranking, RankingStatus
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.control import Control, Progress
@@ -67,6 +67,14 @@ class Search:
     def look_at(self, utility: int, selection: Selection) -> None:
         """Let the referee decide the next candidate."""
         self._take(utility, selection, self.referee.decide(selection) if self.referee is not None else FREE)
+
+    def list_next(self, utility: int, parts: Parts) -> None:
+        """Take up the next candidate of a problem that nothing couples; its choices and roles are written already."""
+        self.examined += 1
+        certificate = self._certificate(utility, FREE)
+        self.found.append(self._writer.of_parts(len(self.found) + 1, utility, parts, FREE, certificate))
+        if self.examined % REPORT_EVERY == 0:
+            self._report(utility)
 
     def look_at_all(self, entries: Sequence[Pooled]) -> None:
         """Take up candidates that were decided already, in their order; those that were looked at before are known."""

@@ -145,9 +145,12 @@ def stream_of(flat: Flat, possible: Sequence[bool]) -> Stream | None:
 
 def _all_of(parts: list[Stream]) -> Stream:
     settled = sum(part.items[0].utility for part in parts if type(part) is Stream)
-    level = [part for part in parts if type(part) is not Stream]
-    if settled or not level:
-        level.append(Stream(Item(settled)))
+    return joined(settled, [part for part in parts if type(part) is not Stream])
+
+
+def joined(settled: int, parts: list[Stream]) -> Stream:
+    """The stream of an AND: parts with a choice, in order, and what the rest earns."""
+    level = [*parts, Stream(Item(settled))] if settled or not parts else parts
     while len(level) > 1:
         paired: list[Stream] = [Both(left, right) for left, right in zip(level[::2], level[1::2], strict=False)]
         level = paired + level[len(level) & ~1 :]

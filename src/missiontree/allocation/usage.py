@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from missiontree.allocation.flat import AMOUNT_SCALE, EVERYBODY, Flat
-from missiontree.allocation.selection import select
 from missiontree.mission.alternative import Alternative
 
 _Amounts = Counter[tuple[str, str]]  # billionths, by robot or robot type and name of the budget
@@ -48,10 +47,9 @@ def uses_of(flat: Flat, alternative: Alternative) -> tuple[Use, ...]:
     Robots are those of the witness. An alternative without one, since nobody could say who does what, is told of by type: all
     robots together, against the sum of what they have.
     """
-    taken = {choice.xor: flat.children[choice.xor].index(choice.child) for choice in alternative.choices}
     robots = {filled.role: filled.robot for filled in alternative.witness}
     by_robot, by_type = _Amounts(), _Amounts()
-    for leaf in select(flat, taken, ()).leaves:
+    for leaf in _leaves(flat, alternative) if any(flat.uses) else ():
         for name, amount in flat.uses[leaf].items():
             by_type[flat.robot_type[leaf], name] += amount
             if robots:
@@ -59,6 +57,19 @@ def uses_of(flat: Flat, alternative: Alternative) -> tuple[Use, ...]:
     who_is_known = bool(robots) or not by_type
     told = _one_by_one(flat, by_robot, by_type) if who_is_known else _all_together(flat, by_type)
     return (*told, *_of_the_mission(flat, by_type))
+
+
+def _leaves(flat: Flat, alternative: Alternative) -> Iterator[int]:
+    taken = {choice.xor: choice.child for choice in alternative.choices}
+    stack = [0]
+    while stack:
+        node = stack.pop()
+        if flat.kind[node] == "action":
+            yield node
+        elif flat.kind[node] == "and":
+            stack.extend(flat.children[node])
+        else:
+            stack.append(taken[node])
 
 
 def _one_by_one(flat: Flat, by_robot: _Amounts, by_type: _Amounts) -> Iterator[Use]:

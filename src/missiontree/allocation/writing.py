@@ -13,6 +13,9 @@ from missiontree.mission.reason import Reason
 
 FREE = Verdict("yes")
 
+Parts = tuple[tuple[Choice, ...], tuple[RoleType, ...]]
+"""Choices in preorder, and roles in order."""
+
 
 def require_count(k: int) -> None:
     """Refuse to look for fewer than one alternative."""
@@ -33,11 +36,20 @@ class Writer:
     ) -> Alternative:
         """One alternative; the utility is in millionths."""
         types = sorted({(self._flat.role[leaf], self._flat.robot_type[leaf]) for leaf in selection.leaves})
+        choices = tuple(self._choice(xor, child) for xor, child in selection.choices)
+        roles = tuple(self._role(role, type_id) for role, type_id in types)
+        return self.of_parts(rank, utility, (choices, roles), verdict, certificate)
+
+    def of_parts(
+        self, rank: int, utility: int, parts: Parts, verdict: Verdict, certificate: Certificate
+    ) -> Alternative:
+        """One alternative whose choices and roles are values already."""
+        choices, roles = parts
         return Alternative(
             rank=rank,
             utility=utility / MICRO,
-            choices=tuple(self._choice(xor, child) for xor, child in selection.choices),
-            roles=tuple(self._role(role, type_id) for role, type_id in types),
+            choices=choices,
+            roles=roles,
             witness=tuple(Assignment(role, robot) for role, robot in verdict.witness),
             certificate=certificate,
         )

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,6 +20,8 @@ from missiontree.formats.yaml_reader import MAX_DEPTH
 
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[\[\]{},]|[^\s\[\]{}:,"]+', re.DOTALL)
 _SUSPECT = re.compile(r"\\(?:[bf]|u(?:00[01789]|[dD][89a-fA-F]|[fF]{3}[eEfF]))").search
+
+_NESTING = frozenset((dict, list))
 
 
 class NotJsonError(Exception):
@@ -153,11 +155,15 @@ def _too_deep(source: str) -> InputError:
 def _depth_exceeds(data: Any, limit: int) -> bool:
     level = [data]
     for _ in range(limit):
-        children = (child for node in level for child in (node.values() if isinstance(node, dict) else node))
-        level = [child for child in children if isinstance(child, dict | list)]
+        level = [child for node in level for child in _nested(node.values() if isinstance(node, dict) else node)]
         if not level:
             return False
     return True
+
+
+def _nested(values: Collection[Any]) -> Iterable[Any]:
+    """Those that hold values themselves; a long list of numbers is passed over by its types."""
+    return () if _NESTING.isdisjoint(map(type, values)) else (value for value in values if type(value) in _NESTING)
 
 
 def _refuse_forbidden(parsed: Parsed) -> None:

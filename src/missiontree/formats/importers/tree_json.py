@@ -13,6 +13,7 @@ Trees of a million nodes come through here, so all is looked at by column; a loo
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import compress
 from pathlib import Path
 from typing import Any
 
@@ -160,10 +161,11 @@ def _check_leaves(parsed: Parsed, columns: dict[str, list[int]], robots: int) ->
     spans = {"robot": (0, robots - 1), "utility": (-MOST, MOST), "duration": (0, MOST), "consumption": (0, MOST)}
     for name, (low, high) in spans.items():
         _require_span(parsed, name, columns[name], low, high, f"a whole number from {low:,} to {high:,}")
-        for node, (kind, number) in enumerate(zip(columns["kind"], columns[name], strict=True)):
-            if number and kind:
-                message = f"node {node} is {'an AND' if kind == AND else 'an XOR'} and has {name} {number}"
-                raise parsed.refusal(message, (name, node), "0, for only leaves have one")
+        if any(compress(columns[name], columns["kind"])):
+            kinds = enumerate(zip(columns["kind"], columns[name], strict=True))
+            node, kind, number = next((node, kind, number) for node, (kind, number) in kinds if kind and number)
+            message = f"node {node} is {'an AND' if kind == AND else 'an XOR'} and has {name} {number}"
+            raise parsed.refusal(message, (name, node), "0, for only leaves have one")
 
 
 def _per_robot(parsed: Parsed, name: str, robots: int, low: int, high: int) -> list[int] | None:
