@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import compress, count
 
 from missiontree.allocation.flat import AMOUNT_SCALE, Flat, Stock
-from missiontree.mission.columns import BUDGET, KINDS, LEAF, TreeColumns
+from missiontree.mission.columns import BUDGET, KINDS, LEAF, Labels, TreeColumns
 from missiontree.mission.estimate import MICRO
 
 
@@ -24,23 +25,20 @@ def flat_of_columns(columns: TreeColumns, *, budgets: bool = True, disjoint: boo
     """
     robots = [columns.robot_id(robot) for robot in range(columns.robots)]
     held = columns.budget if budgets else None
-    nodes = len(columns.kind)
-    role, robot_type, roles = [-1] * nodes, [""] * nodes, 0
-    for node, kind in enumerate(columns.kind):
-        if kind == LEAF:
-            role[node] = roles
-            robot_type[node] = robots[columns.robot[node]]
-            roles += 1
+    nodes, next_role = len(columns.kind), count()
+    role = [next(next_role) if kind == LEAF else -1 for kind in columns.kind]
     return Flat(
         kind=tuple(map(KINDS.__getitem__, columns.kind)),
         parent=tuple(columns.parent),
         children=_children(columns),
-        label=tuple(map(columns.label, range(nodes))),
+        label=Labels(columns),
         utility=tuple([MICRO * utility for utility in columns.utility]),
         role=tuple(role),
-        robot_type=tuple(robot_type),
+        robot_type=tuple(
+            [robots[robot] if kind == LEAF else "" for kind, robot in zip(columns.kind, columns.robot, strict=True)]
+        ),
         uses=((_NOTHING,) * nodes) if held is None else _uses(columns),
-        team=(None,) * roles,
+        team=(None,) * next(next_role),
         same_robot=(),
         different_robot=tuple(columns.apart()) if disjoint else (),
         stocks=_stocks(columns, robots, held),
@@ -68,9 +66,9 @@ def _uses(columns: TreeColumns) -> tuple[Mapping[str, int], ...]:
 
 
 def _stocks(columns: TreeColumns, robots: list[str], held: Sequence[int] | None) -> dict[str, Stock]:
-    leaves = [node for node, kind in enumerate(columns.kind) if kind == LEAF]
-    named = dict.fromkeys(columns.robot[leaf] for leaf in leaves)
-    using = {columns.robot[leaf] for leaf in leaves if columns.consumption[leaf]}
+    # A gate has robot 0 and consumes nothing, so that gates are to be told apart in the first case only.
+    named = dict.fromkeys(robot for kind, robot in zip(columns.kind, columns.robot, strict=True) if kind == LEAF)
+    using = set(compress(columns.robot, columns.consumption))
     stocks = {}
     for robot in named:
         budget = {BUDGET: held[robot] * AMOUNT_SCALE} if held is not None and robot in using else {}

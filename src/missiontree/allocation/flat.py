@@ -7,7 +7,7 @@ leaf, so that every sum is exact and no rank or refusal hangs on the order of ad
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
@@ -120,7 +120,7 @@ class Flat:
     kind: tuple[NodeKind, ...]
     parent: tuple[int, ...]
     children: tuple[tuple[int, ...], ...]
-    label: tuple[str, ...]
+    label: Sequence[str]
     utility: tuple[int, ...]
     role: tuple[int, ...]
     robot_type: tuple[str, ...]

@@ -14,6 +14,8 @@ MAX_JSON_BYTES = 400_000_000
 # All but tab and line ends: what a terminal acts on, what UTF-8 cannot hold, and the two non-characters YAML forbids.
 forbidden = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]").search
 
+_CONTROLS = bytes({*range(32), 127} - set(b"\t\n\r"))
+
 
 def max_bytes(source: str) -> int:
     """Size accepted: JSON, which programs write and which is quick to read, may be larger than YAML."""
@@ -69,6 +71,8 @@ def clean(text: str, source: str) -> str:
         If it holds a control character other than tab and line ends.
     """
     text = text.removeprefix("\ufeff")
+    if _is_plain(text):
+        return text
     if wrong := forbidden(text):
         raise InputError(
             f"the text holds {character_name(wrong[0])}",
@@ -77,6 +81,11 @@ def clean(text: str, source: str) -> str:
             accepted="text without control characters",
         )
     return text
+
+
+def _is_plain(text: str) -> bool:
+    """Whether it is ASCII without control characters, which files of many megabytes mostly are; quicker than a search."""
+    return text.isascii() and len(raw := text.encode("ascii")) == len(raw.translate(None, _CONTROLS))
 
 
 def character_name(character: str) -> str:

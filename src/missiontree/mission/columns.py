@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import overload
 
 from missiontree.mission.estimate import Weights
 from missiontree.mission.grounded import NodeKind
@@ -96,3 +97,35 @@ class TreeColumns:
 
 
 _WORDS = ("leaf", "AND", "XOR")
+
+
+class Labels(Sequence[str]):
+    """
+    What people call the nodes of a tree, made when somebody asks; equal to any sequence of the same words.
+
+    Parameters
+    ----------
+    columns
+        The tree.
+    """
+
+    __slots__ = ("_columns",)
+
+    def __init__(self, columns: TreeColumns) -> None:
+        self._columns = columns
+
+    def __len__(self) -> int:
+        return len(self._columns.kind)
+
+    @overload
+    def __getitem__(self, node: int) -> str: ...
+    @overload
+    def __getitem__(self, node: slice) -> tuple[str, ...]: ...
+    def __getitem__(self, node: int | slice) -> str | tuple[str, ...]:
+        nodes = range(len(self))[node]
+        return self._columns.label(nodes) if isinstance(nodes, int) else tuple(map(self._columns.label, nodes))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Sequence) and tuple(self) == tuple(other)
+
+    __hash__ = None  # type: ignore[assignment]

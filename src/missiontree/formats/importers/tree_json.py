@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import compress
+from operator import lt
 from pathlib import Path
 from typing import Any
 
@@ -128,7 +129,11 @@ def _check_shape(parsed: Parsed, kind: list[int], parent: list[int]) -> None:
     _require_span(parsed, "kind", kind, LEAF, XOR, "0 (a leaf), 1 (an AND) or 2 (an XOR)")
     if parent[0] != -1:
         raise parsed.refusal(f"node 0 has parent {parent[0]}", ("parent", 0), "-1, for node 0 is the root")
-    for node, above in enumerate(parent[1:], start=1):
+    below_root = parent[1:]
+    earlier = not below_root or (min(below_root) >= 0 and all(map(lt, below_root, range(1, len(parent)))))
+    if earlier and LEAF not in set(map(kind.__getitem__, below_root)):
+        return
+    for node, above in enumerate(below_root, start=1):
         if not 0 <= above < node:
             if above == -1:
                 message = f"node {node} is a second root"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain
 from typing import Any
 
 from missiontree.formats.parsed import Parsed
@@ -29,7 +30,25 @@ def refuse_impossible_order(parsed: Parsed, tree: TreeColumns) -> None:
     if not isinstance(pairs, list):
         raise parsed.refusal(f"{found(pairs)} stands here", ("precedence",), "a list of pairs of nodes")
     parent, nodes = tree.parent, len(tree.parent)
-    crossing: list[int] = []  # pairs that are not two children of one node, the first of them first
+    if not _are_pairs(pairs, nodes):
+        _refuse_first(parsed, pairs, nodes)
+    # Pairs that are not two children of one node, the first of them first.
+    crossing = [
+        place for place, (before, after) in enumerate(pairs) if not (before < after and parent[before] == parent[after])
+    ]
+    if crossing:
+        _look_closer(parsed, tree, crossing)
+
+
+def _are_pairs(pairs: list[Any], nodes: int) -> bool:
+    """Whether all are pairs of nodes; by columns, for there may be a million."""
+    if not (set(map(type, pairs)) <= {list} and set(map(len, pairs)) <= {2}):
+        return False
+    named = list(chain.from_iterable(pairs))
+    return not named or (set(map(type, named)) == {int} and min(named) >= 0 and max(named) < nodes)
+
+
+def _refuse_first(parsed: Parsed, pairs: list[Any], nodes: int) -> None:
     for place, pair in enumerate(pairs):
         if type(pair) is not list or len(pair) != 2 or type(pair[0]) is not int or type(pair[1]) is not int:
             raise parsed.refusal(f"{found(pair)} stands here", ("precedence", place), ACCEPTED)
@@ -37,10 +56,6 @@ def refuse_impossible_order(parsed: Parsed, tree: TreeColumns) -> None:
         if not (0 <= before < nodes and 0 <= after < nodes):
             message = f"the pair [{before}, {after}] names a node that there is not; there are {nodes}"
             raise parsed.refusal(message, ("precedence", place), ACCEPTED)
-        if not (before < after and parent[before] == parent[after]):
-            crossing.append(place)
-    if crossing:
-        _look_closer(parsed, tree, crossing)
 
 
 def _look_closer(parsed: Parsed, tree: TreeColumns, crossing: Sequence[int]) -> None:
