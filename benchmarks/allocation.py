@@ -8,10 +8,11 @@ How well trees are ranked: ours beside CP-SAT and HiGHS, on the same instances, 
     python -m benchmarks.allocation --data FOLDER --limit 60            trees of a folder instead of generated ones
     python -m benchmarks.allocation --only growth --plot growth.svg     cost as the work grows, as a picture
 
-``exact`` and ``pruned`` (Algorithm 1 of the paper) are ours. ``cp_sat`` has 8 workers and is asked again with a no-good for every
-alternative it has named; ``highs`` likewise with a cut. Peers are optional: ``pip install missiontree[bench]``. Each runs in a process
-of its own. Seconds run from arrays to the certified list, in a process that has loaded everything. A gap is |bound - best| over
-max(1, |best|). A row ends with exit code 1 if two contenders prove different lists.
+``exact``, ``arrays`` (the same for bare trees that nothing couples, compiled) and ``pruned`` (Algorithm 1 of the paper) are ours.
+``cp_sat`` has 8 workers and is asked again with a no-good for every alternative it has named; ``highs`` likewise with a cut. Peers are
+optional: ``pip install missiontree[bench]``. Each runs in a process of its own. Seconds run from arrays to the certified list, in a
+process that has loaded everything. A gap is |bound - best| over max(1, |best|). A row ends with exit code 1 if two contenders prove
+different lists.
 
 Trees are those of :mod:`benchmarks.trees`. A folder's file named ``FAMILY_LEAVES_ROBOTS_SEED.json`` takes the place of the generated
 one; files of other names make rows of their own.
@@ -72,8 +73,10 @@ class Row:
 
 
 LARGE: tuple[Named, ...] = (("mission", 100_000, 1_000, 0),)
+UNIFORM: tuple[Named, ...] = (("uniform", 100_000, 1_000, 0),)
 ROWS = (
-    Row("free-100000", LARGE, budgets=False, contenders=("exact", "pruned")),
+    Row("free-100000", LARGE, budgets=False, contenders=("exact", "arrays", "pruned")),
+    Row("free-uniform-100000", UNIFORM, budgets=False, contenders=("exact", "arrays", "pruned")),
     Row("mission-300", tuple(("mission", 300, 6, seed) for seed in range(10))),
     Row("mission-1000", tuple(("mission", 1_000, 8, seed) for seed in range(10))),
     Row("mission-10000", (("mission", 10_000, 8, 0),)),

@@ -7,13 +7,11 @@ from dataclasses import dataclass
 from math import exp, log
 from pathlib import Path
 
-from benchmarks.contenders import Question, ranked
+from benchmarks.contenders import ARRAYS, Question, quickest, warm
 from missiontree.formats.importers.tree_json import read_tree
 
 LIMIT_S = 60.0
 K = 10
-SHORT_S, REPEATS = 1.0, 3
-"""What takes less than this is measured that often, and the quickest counts."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +33,8 @@ class Series:
         Whether budgets limit the robots.
     fitted_from
         Smallest size that the exponent is fitted to; below it, what every call costs rules.
+    contender
+        Who is measured, as :mod:`benchmarks.contenders` names it. Default ``exact``.
     """
 
     name: str
@@ -44,6 +44,7 @@ class Series:
     other: int
     budgets: bool
     fitted_from: int
+    contender: str = "exact"
 
     def tree(self, size: int) -> tuple[int, int]:
         """Leaves and robots."""
@@ -57,6 +58,8 @@ SERIES = (
     Series("tight-leaves", "budgets, 10 robots", "leaves", LEAVES, 10, True, 100),
     Series("free-robots", "no budgets, 10,000 leaves", "robots", ROBOTS, 10_000, False, 1),
     Series("tight-robots", "budgets, 10,000 leaves", "robots", ROBOTS, 10_000, True, 1),
+    Series("arrays-leaves", "no budgets, bare arrays, compiled", "leaves", LEAVES, 10, False, 10_000, ARRAYS),
+    Series("arrays-robots", "no budgets, bare arrays, compiled", "robots", ROBOTS, 10_000, False, 1, ARRAYS),
 )
 
 
@@ -90,17 +93,15 @@ def grown(
     points: Grown = {}
     for one in series:
         points[one] = []
+        warm(one.contender)
         for size in one.sizes:
             question = Question(file(("mission", *one.tree(size), 0)), K, one.budgets, limit_s, seed)
-            points[one].append(_point(size, question))
+            points[one].append(_point(one.contender, size, question))
     return points
 
 
-def _point(size: int, question: Question) -> Point:
-    columns = read_tree(question.file)
-    answer = ranked("exact", columns, question)
-    if answer.seconds < SHORT_S:
-        answer = ranked("exact", columns, question, REPEATS)
+def _point(contender: str, size: int, question: Question) -> Point:
+    answer = quickest(contender, read_tree(question.file), question)
     return Point(size, answer.seconds, answer.proven)
 
 

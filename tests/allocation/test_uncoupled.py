@@ -7,7 +7,7 @@ from random import Random
 import pytest
 
 from benchmarks.random_trees import random_case
-from missiontree.allocation import uncoupled
+from missiontree.allocation import first_ways
 from missiontree.allocation.arrays.loops import PLAIN, fast_loops
 from missiontree.allocation.columns import flat_of_columns
 from missiontree.allocation.coupling import couples
@@ -68,6 +68,6 @@ def test_compiled_sweeps_write_the_same(monkeypatch: pytest.MonkeyPatch) -> None
         flat = flat_of_columns(read(random_tree(seed)), budgets=False)
         shown = []
         for loops in (PLAIN, fast_loops()):
-            monkeypatch.setattr(uncoupled, "_loops", lambda flat, loops=loops: loops)
+            monkeypatch.setattr(first_ways, "_loops", lambda flat, loops=loops: loops)
             shown.append(repr(ExactKBest()(flat, trivial_fleet(), Weights(), 5, Control())))
         assert shown[0] == shown[1], seed

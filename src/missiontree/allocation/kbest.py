@@ -18,15 +18,13 @@ from missiontree.allocation.arrays.ways import Draft
 from missiontree.allocation.core import core_of
 from missiontree.allocation.coupling import couples
 from missiontree.allocation.feasibility import DEFAULT_STEPS, Feasibility
+from missiontree.allocation.first_ways import ways_in_order
 from missiontree.allocation.flat import Flat, flatten
-from missiontree.allocation.item import Item, choices_of
 from missiontree.allocation.pool import fill
 from missiontree.allocation.possible import Possibility, possible_nodes, reasons_of
 from missiontree.allocation.purses import purses_of
 from missiontree.allocation.rounds import Rounds
 from missiontree.allocation.search import BY_BOUNDS, Search
-from missiontree.allocation.selection import select
-from missiontree.allocation.streams import Stream, best_first, stream_of
 from missiontree.allocation.uncoupled import Uncoupled, Written
 from missiontree.allocation.writing import impossible, no_robot_able, require_count
 from missiontree.mission.alternative import Ranking
@@ -70,11 +68,14 @@ class ExactKBest:
         if not couples(flat):
             return self._uncoupled(flat, k, control)
         possibility = possible_nodes(flat)
-        stream = stream_of(flat, possibility.possible)
-        if stream is None:
+        if not possibility.possible[0]:
             return _none(flat, possibility)
         search = Search(flat, possibility, Feasibility(flat, self.packing_steps), k, control)
-        return _Road(search, _drawn(search, stream), self).walk()
+        return _Road(search, _drawn(search, k + self.patience_with(flat)), self).walk()
+
+    def patience_with(self, flat: Flat) -> int:
+        """The larger the tree, the longer a candidate takes, and the less likely it is that one near the best is allowed."""
+        return min(self.patience, max(2, PATIENCE_NODES // len(flat.kind)))
 
     def _uncoupled(self, flat: Flat, k: int, control: Control) -> Ranking:
         problem = Uncoupled(flat)
@@ -107,14 +108,10 @@ def _none(flat: Flat, possibility: Possibility) -> Ranking:
     return impossible("least_use", "No selection stays within what there is.", reasons)
 
 
-def _drawn(search: Search, stream: Stream) -> Iterator[Candidate]:
-    """All ways through the tree, for the referee to decide."""
-    for item in best_first(stream):
-        yield Candidate(item.utility, partial(_look, search, item))
-
-
-def _look(search: Search, item: Item) -> None:
-    search.look_at(item.utility, select(search.flat, choices_of(item), search.possibility.possible))
+def _drawn(search: Search, first: int) -> Iterator[Candidate]:
+    """All ways through the tree, for the referee to decide; how many of them are likely to be looked at."""
+    for utility, selection in ways_in_order(search.flat, search.possibility.possible, first):
+        yield Candidate(utility, partial(search.look_at, utility, selection))
 
 
 def _written(search: Search, best: Written) -> Iterator[Candidate]:
@@ -138,7 +135,8 @@ class _Road:
     def walk(self) -> Ranking:
         """All stages."""
         search, settings = self.search, self.settings
-        if self._plainly(settings.max_examined, self._patience()):
+        patience = settings.max_examined if search.referee is None else settings.patience_with(self.flat)
+        if self._plainly(settings.max_examined, patience):
             return search.finished()
         purses = purses_of(self.flat, self.possible)
         core = core_of(self.flat, self.possible, purses)
@@ -157,13 +155,6 @@ class _Road:
         undecided = search.pool.undecided
         search.bound_by(rounds.bound if undecided is None or rounds.bound is None else max(rounds.bound, undecided))
         return search.stopped()
-
-    def _patience(self) -> int:
-        """The larger the tree, the longer a candidate takes, and the less likely it is that one near the best is allowed."""
-        settings = self.settings
-        if self.search.referee is None:
-            return settings.max_examined
-        return min(settings.patience, max(2, PATIENCE_NODES // len(self.flat.kind)))
 
     def _given_up(self, most: int) -> bool:
         return self.search.examined >= most or self.control.ended()

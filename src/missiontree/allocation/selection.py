@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from missiontree.allocation.flat import Flat
@@ -41,6 +41,26 @@ def select(flat: Flat, taken: Mapping[int, int], possible: Sequence[bool]) -> Se
     possible
         Which nodes can be done.
     """
+    children = flat.children
+
+    def child_of(xor: int) -> int:
+        place = taken.get(xor)
+        return next(below for below in children[xor] if possible[below]) if place is None else children[xor][place]
+
+    return follow(flat, child_of)
+
+
+def follow(flat: Flat, child_of: Callable[[int], int]) -> Selection:
+    """
+    Go through the tree from the root.
+
+    Parameters
+    ----------
+    flat
+        The problem.
+    child_of
+        Which child of an XOR to take.
+    """
     kind, children = flat.kind, flat.children
     choices, nodes, leaves, stack = [], [], [], [0]
     while stack:
@@ -51,10 +71,7 @@ def select(flat: Flat, taken: Mapping[int, int], possible: Sequence[bool]) -> Se
         elif kind[node] == "and":
             stack.extend(children[node][::-1])
         else:
-            place = taken.get(node)
-            child = (
-                next(below for below in children[node] if possible[below]) if place is None else children[node][place]
-            )
+            child = child_of(node)
             choices.append((node, child))
             stack.append(child)
     return Selection(tuple(choices), tuple(nodes), tuple(leaves))

@@ -12,12 +12,10 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 
-from missiontree.allocation.arrays.loops import PLAIN, Loops, are_compiled, fast_loops, fits
-from missiontree.allocation.arrays.swept import Swept
 from missiontree.allocation.arrays.ways import BestWays, Draft, Stretch
+from missiontree.allocation.first_ways import swept_of
 from missiontree.allocation.flat import Flat
 from missiontree.mission.alternative import Choice, RoleType
-from missiontree.mission.columns import KINDS
 
 FEW = 8  # roles are changed one by one while fewer than one in so many leaves changes
 
@@ -40,21 +38,12 @@ class Uncoupled:
     """
 
     def __init__(self, flat: Flat) -> None:
-        self._flat = flat
-        code = {kind: number for number, kind in enumerate(KINDS)}
-        kinds = list(map(code.__getitem__, flat.kind))
-        loops = _loops(flat)
-        self._swept = Swept(loops, *map(loops.column, (kinds, flat.parent, flat.utility)))
+        self._flat, self._swept = flat, swept_of(flat)
         self.possible = self._swept.able()
 
     def best(self, k: int) -> Written | None:
         """The k best alternatives; None if there is none."""
         return Written(self._flat, BestWays(self._swept, k), k) if self._swept.possible else None
-
-
-def _loops(flat: Flat) -> Loops:
-    """Compiling takes longer than it saves here, so it is done only for who needs it anyway."""
-    return fast_loops() if are_compiled() and fits(sum(map(abs, flat.utility))) else PLAIN
 
 
 class Written:

@@ -38,6 +38,8 @@ class Swept:
         The sweeps.
     kind, parent, utility
         The tree, as the sweeps take it.
+    taken
+        Column to write what is taken into; holds ``BLOCKED`` for ANDs that are ruled out, else ``NOTHING``. Default: none is.
 
     Attributes
     ----------
@@ -51,10 +53,11 @@ class Swept:
         How much was followed so far.
     """
 
-    def __init__(self, loops: Loops, kind: Any, parent: Any, utility: Any) -> None:
+    def __init__(self, loops: Loops, kind: Any, parent: Any, utility: Any, taken: Any = None) -> None:
         self.kind, self.parent, self.loops = kind, parent, loops
         self.value = loops.column(utility)
-        self.taken, self.child, self.sibling = (self._blank(NOTHING) for _ in range(3))
+        self.taken = self._blank(NOTHING) if taken is None else taken
+        self.child, self.sibling = self._blank(NOTHING), self._blank(NOTHING)
         self.possible = bool(loops.best_below(self.kind, self.parent, self.value, self.taken, self.child, self.sibling))
         self.xors, self.until, self.leaf_from, self.leaf_until, self.leaves, self.at = (self._blank() for _ in range(6))
         self.choices_followed, self.leaves_followed = 0, 0
