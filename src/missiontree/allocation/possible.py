@@ -130,6 +130,7 @@ class _Limits:
         self.pooled: dict[tuple[str, str], int | None] = {}
         self.largest: dict[tuple[str, str], int | None] = {}
         self.everywhere: dict[str, int] = {}
+        self._known: dict[Purse, int | None] = {}
         used = {(flat.robot_type[leaf], name) for leaf, uses in enumerate(flat.uses) for name in uses}
         for type_id, name in sorted(used):
             stock = flat.stocks[type_id]
@@ -151,18 +152,27 @@ class _Limits:
         return charged
 
     def excess(self, node: int, use: Mapping[Purse, int], touched: set[Purse] | None) -> Excess | None:
+        over = [
+            purse
+            for purse in (use if touched is None else touched)
+            if (limit := self._held(purse)) is not None and use[purse] > limit
+        ]
+        if not over:
+            return None
         # One type's purse first: what a single type lacks is not to be told of all types together.
-        for purse in sorted(use if touched is None else touched, key=lambda purse: (purse[0] in {"", MISSION}, purse)):
+        first = min(over, key=lambda purse: (purse[0] in {"", MISSION}, purse))
+        return Excess(node, first, use[first], self._known[first] or 0)
+
+    def _held(self, purse: Purse) -> int | None:
+        if purse not in self._known:
             type_id, role, name = purse
             if not type_id:
-                limit: int | None = self.everywhere[name]
+                self._known[purse] = self.everywhere[name]
             elif type_id == MISSION:
-                limit = self.flat.shared[name].limit
+                self._known[purse] = self.flat.shared[name].limit
             else:
-                limit = (self.pooled if role < 0 else self.largest)[type_id, name]
-            if limit is not None and use[purse] > limit:
-                return Excess(node, purse, use[purse], limit)
-        return None
+                self._known[purse] = (self.pooled if role < 0 else self.largest)[type_id, name]
+        return self._known[purse]
 
 
 def reasons_of(flat: Flat, possibility: Possibility, severity: Severity, limit: int = 8) -> tuple[Reason, ...]:
