@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import ceil, floor, log10
@@ -12,8 +13,13 @@ from missiontree.reporting.svg_numbers import n
 from missiontree.reporting.svg_page import opening, text
 
 SIZE = 11.0
-WIDTH, HEIGHT = 760.0, 352.0
-TOP, BOTTOM, LEFT, BETWEEN, PANEL = 40.0, 270.0, 62.0, 56.0, 300.0
+WIDTH = 770.0
+TOP, BOTTOM, LEFT, BETWEEN, PANEL = 40.0, 290.0, 62.0, 66.0, 300.0
+KEYS, ROW, NOTE = (
+    44.0,
+    18.0,
+    12.0,
+)  # below the panels: to the first line of the key, from one to the next, before the last line
 POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 MARK = 3.5
 UNPROVEN = "Hollow: the limit was reached before the proof; such points count for no exponent."
@@ -60,14 +66,17 @@ def growth_svg(points: Grown) -> str:
     words = "; ".join(
         f"over {series.over}, {series.words}: {_exponent(series, measured)}" for series, measured in points.items()
     )
-    parts = [opening(WIDTH, HEIGHT, title, f"Seconds on logarithmic scales. {words}.", "growth")]
-    parts.append(text(LEFT, 20, "seconds", size=SIZE, fill=MUTED, kind="mt-muted", anchor="end"))
+    rows = max(Counter(series.over for series in points).values())
+    unproven = not all(p.proven for measured in points.values() for p in measured)
+    height = BOTTOM + KEYS + ROW * rows + (NOTE + ROW if unproven else 0.0)
+    parts = [opening(WIDTH, height, title, f"Seconds on logarithmic scales. {words}.", "growth")]
+    parts.append(text(LEFT - 8, 20, "time", size=SIZE, fill=MUTED, kind="mt-muted", anchor="end"))
     for place, over in enumerate(("leaves", "robots")):
         chosen = {series: measured for series, measured in points.items() if series.over == over}
         if chosen:
             parts += _panel(chosen, over, seconds, LEFT + place * (PANEL + BETWEEN))
-    if not all(p.proven for measured in points.values() for p in measured):
-        parts.append(text(LEFT, HEIGHT - 6, UNPROVEN, size=SIZE, fill=MUTED, kind="mt-muted"))
+    if unproven:
+        parts.append(text(LEFT, height - ROW, UNPROVEN, size=SIZE, fill=MUTED, kind="mt-muted"))
     parts.append("</svg>\n")
     return "\n".join(parts)
 
@@ -89,7 +98,7 @@ def _panel(chosen: Grown, over: str, seconds: Scale, left: float) -> Iterator[st
                 f'fill="{fill}" stroke="{hue.fill}" stroke-width="1.5"/>'
             )
         yield from _key(
-            f"{series.words}: {_exponent(series, measured)}", left, BOTTOM + 42 + 17 * place, hue.fill, hue.deep
+            f"{series.words}: {_exponent(series, measured)}", left, BOTTOM + KEYS + ROW * place, hue.fill, hue.deep
         )
 
 
@@ -97,11 +106,11 @@ def _axes(sizes: Scale, seconds: Scale, over: str) -> Iterator[str]:
     for power in seconds.powers():
         y = seconds.at(10.0**power)
         yield f'<path class="mt-hair" d="M{n(sizes.start)} {n(y)} H{n(sizes.end)}" stroke="{HAIR}" stroke-width="1"/>'
-        yield text(sizes.start - 8, y + 4, _power(power), size=SIZE, fill=MUTED, kind="mt-muted", anchor="end")
+        yield text(sizes.start - 8, y + 4, _duration(power), size=SIZE, fill=MUTED, kind="mt-muted", anchor="end")
     for power in sizes.powers():
         x = sizes.at(10.0**power)
         yield f'<path class="mt-hair" d="M{n(x)} {n(TOP)} V{n(BOTTOM)}" stroke="{HAIR}" stroke-width="1"/>'
-        yield text(x, BOTTOM + 16, _power(power), size=SIZE, fill=MUTED, kind="mt-muted", anchor="middle")
+        yield text(x, BOTTOM + 17, _power(power), size=SIZE, fill=MUTED, kind="mt-muted", anchor="middle")
     d = f"M{n(sizes.start)} {n(TOP)} V{n(BOTTOM)} H{n(sizes.end)}"
     yield f'<path class="mt-line" d="{d}" stroke="{INK}" stroke-width="1.5" fill="none"/>'
     yield text((sizes.start + sizes.end) / 2, 20, f"over {over}", size=SIZE, anchor="middle", bold=True)
@@ -130,7 +139,12 @@ def _exponent(series: Series, measured: Sequence[Point]) -> str:
 
 
 def _power(power: int) -> str:
-    """A power of ten: 1, 10, and above these and below, with the exponent raised."""
-    if power in {0, 1}:
-        return str(10**power)
-    return "10" + ("⁻" if power < 0 else "") + "".join(POWERS[int(digit)] for digit in str(abs(power)))
+    """A power of ten: 1, 10, and above these with the exponent raised."""
+    return str(10**power) if power in {0, 1} else "10" + "".join(POWERS[int(digit)] for digit in str(power))
+
+
+def _duration(power: int) -> str:
+    """A power of ten of seconds, as people say it: 10 µs, 0.1 ms, 1 ms, 0.1 s, 1,000 s."""
+    if power >= -1:
+        return f"{10.0**power:,g} s"
+    return f"{10.0 ** (power + 3):,g} ms" if power >= -4 else f"{10.0 ** (power + 6):,g} µs"

@@ -9,6 +9,7 @@ feasible alternative selects. And where a type that must take part finds too few
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -21,6 +22,10 @@ MISSION = "*"  # stands for all robots in a purse that the mission limits, as ""
 Purse = tuple[
     str, int, str
 ]  # robot type ("" or MISSION for all of them), role (-1 for all of them), name of the budget
+
+_NOTHING: dict[
+    Purse, int
+] = {}  # stands for parts that use nothing; nobody writes into it, for it is never the largest of unequal ones
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +78,7 @@ def possible_nodes(flat: Flat) -> Possibility:
     limits = _Limits(flat)
     least: dict[int, dict[Purse, int]] = {}
     for node in range(len(flat.kind) - 1, -1, -1):
-        below = [least.pop(child, {}) for child in flat.children[node] if possible[child]]
+        below = [least.pop(child, _NOTHING) for child in flat.children[node] if possible[child]]
         if flat.kind[node] == "action":
             use, touched = limits.charge(node), None
         elif flat.kind[node] == "and":
@@ -131,25 +136,38 @@ class _Limits:
         self.largest: dict[tuple[str, str], int | None] = {}
         self.everywhere: dict[str, int] = {}
         self._known: dict[Purse, int | None] = {}
+        self._leaves_of = Counter(role for role, uses in zip(flat.role, flat.uses, strict=True) if uses)
         used = {(flat.robot_type[leaf], name) for leaf, uses in enumerate(flat.uses) for name in uses}
         for type_id, name in sorted(used):
             stock = flat.stocks[type_id]
             self.pooled[type_id, name] = stock.pooled(name)
             self.largest[type_id, name] = stock.largest(name)
             self.everywhere[name] = self.everywhere.get(name, 0) + (self.pooled[type_id, name] or 0)
+        self._of_all = {key: self._purses_of_all(*key) for key in used}
 
     def charge(self, leaf: int) -> dict[Purse, int]:
+        """
+        What a leaf takes from whom.
+
+        Of one robot in its role it is told only if other leaves share the role, or if it is too much already: else it adds up with
+        nothing.
+        """
         type_id, role = self.flat.robot_type[leaf], self.flat.role[leaf]
         charged: dict[Purse, int] = {}
         for name, used in self.flat.uses[leaf].items():
-            if self.largest[type_id, name] is not None:
+            largest = self.largest[type_id, name]
+            if largest is not None and (used > largest or self._leaves_of[role] > 1):
                 charged[type_id, role, name] = used
-            if self.pooled[type_id, name] is not None:
-                charged[type_id, -1, name] = used
-                charged["", -1, name] = used
-            if name in self.flat.shared:
-                charged[MISSION, -1, name] = used
+            for purse in self._of_all[type_id, name]:
+                charged[purse] = used
         return charged
+
+    def _purses_of_all(self, type_id: str, name: str) -> tuple[Purse, ...]:
+        """Those that robots of the type fill together, with others or without."""
+        of_types: tuple[Purse, ...] = ((type_id, -1, name), ("", -1, name))
+        of_mission: tuple[Purse, ...] = ((MISSION, -1, name),)
+        pooled = self.pooled[type_id, name] is not None
+        return (of_types if pooled else ()) + (of_mission if name in self.flat.shared else ())
 
     def excess(self, node: int, use: Mapping[Purse, int], touched: set[Purse] | None) -> Excess | None:
         over = [
