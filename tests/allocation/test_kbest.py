@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from benchmarks.tied_budget import tied_mission
+from missiontree.allocation import kbest
 from missiontree.allocation.kbest import ExactKBest
 from missiontree.allocation.search import REPORT_EVERY
 from missiontree.mission.alternative import Ranking, RoleType
@@ -96,6 +97,17 @@ def test_no_time_still_lists_what_a_few_sweeps_find() -> None:
     assert (result.status, result.examined, result.certificate.claim) == ("partial", 0, "bounded")
     assert (result.alternatives[0].utility, result.certificate.bound) == (3.0, 3.0)
     assert all(alternative.certificate.claim == "bounded" for alternative in result.alternatives)
+
+
+def test_no_time_still_proves_the_first_of_a_large_tree_that_nothing_couples(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kbest, "LARGE", 1)
+    monkeypatch.setattr(kbest, "HURRIED", 4)
+    four = rank(binary_choices(3), control=Control(time_limit_s=0))
+    assert (four.status, [one.utility for one in four.alternatives]) == ("exact", [3.0, 2.0, 2.0, 2.0])
+    six = ExactKBest()(binary_choices(3), trivial_fleet(), Weights(), 6, Control(time_limit_s=0))
+    # Four are proven, and the four that follow are no better than the last of them; the pool was not filled.
+    assert (six.status, six.examined, six.certificate.claim, six.certificate.bound) == ("partial", 4, "bounded", 2.0)
+    assert [one.certificate.claim for one in six.alternatives] == ["proven"] * 4
 
 
 def test_a_stop_token_keeps_what_was_found() -> None:
