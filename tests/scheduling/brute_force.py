@@ -124,6 +124,12 @@ def _ends(
             if last is not None:
                 before.append((last, leaf, way))
             last = leaf
+    due: dict[int, int] = {}
+    for node, timed in enumerate(instance.tree.nodes):
+        for leaf in _under(instance, leaves, node) if timed.release_s or timed.deadline_s is not None else ():
+            release[leaf] = max(release[leaf], math.ceil(timed.release_s * 1000 - 1e-6))
+            if timed.deadline_s is not None:
+                due[leaf] = min(due.get(leaf, 1 << 60), math.floor(timed.deadline_s * 1000 + 1e-6))
     until: dict[int, list[int]] = {}
     for kind, first, second in _binding_links(instance):
         if kind == "precedence":
@@ -137,8 +143,9 @@ def _ends(
     found: list[int] = []
     for latest in product(*fixed.values()):  # for each open-ended action, who ends after its start
         under_way = list(zip(fixed, latest, strict=True))
-        makespan = _earliest(leaves, before, release, duration, until, joint, under_way)
-        found += [] if makespan is None else [makespan]
+        ends = _earliest(leaves, before, release, duration, until, joint, under_way)
+        if ends is not None and all(ends[leaf] <= last_tick for leaf, last_tick in due.items()):
+            found.append(max(ends.values()))
     return min(found, default=None)
 
 
@@ -159,7 +166,7 @@ def _earliest(
     until: dict[int, list[int]],
     joint: dict[int, list[int]],
     under_way: list[tuple[int, int]],
-) -> int | None:
+) -> dict[int, int] | None:
     start = dict(release)
     end = {leaf: start[leaf] for leaf in leaves}
     for _ in range(8 * len(leaves) + 8):
@@ -176,7 +183,7 @@ def _earliest(
             else:
                 end[leaf] = max(end[leaf], start[leaf] + max(duration[other] for other in joint[leaf]))
         if (start, end) == old:
-            return max(end.values())
+            return end
     return None
 
 

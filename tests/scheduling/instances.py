@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from missiontree.mission.alternative import Alternative, Assignment, Choice, RoleType
@@ -55,6 +55,15 @@ class Instance:
     tree: GroundedTree
     alternative: Alternative
     node: dict[str, int]
+
+    def timed(self, **times: tuple[float, float | None]) -> Instance:
+        """The same with a release time and a deadline at nodes by name, ``_`` for the dot in an action's."""
+        of = {self.node[name.replace("_", ".")]: given for name, given in times.items()}
+        nodes = tuple(
+            replace(node, release_s=of[index][0], deadline_s=of[index][1]) if index in of else node
+            for index, node in enumerate(self.tree.nodes)
+        )
+        return Instance(replace(self.tree, nodes=nodes), self.alternative, self.node)
 
 
 @dataclass

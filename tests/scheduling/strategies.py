@@ -73,3 +73,15 @@ def instances(draw: st.DrawFn, max_parts: int = 4, things: bool = False) -> Inst
 def plane() -> Scene:
     """Three places, one that is lost, and two things, one of which can only be led slowly."""
     return scene({"cat": 0.5}, p=0, q=3, r=7, lost=None, box=2, cat=5)
+
+
+@st.composite
+def timed(draw: st.DrawFn, made: Instance) -> Instance:
+    """An instance with times at up to three nodes, tight and loose ones."""
+    names = draw(st.lists(st.sampled_from(sorted(made.node)), min_size=1, max_size=3, unique=True))
+    times: dict[str, tuple[float, float | None]] = {}
+    for name in names:
+        release = draw(st.sampled_from([0, 0, 0, 2, 5, 7.5]))
+        span = draw(st.sampled_from([None, 4, 6, 8, 10, 12, 15, 20]))
+        times[name.replace(".", "_")] = release, None if span is None else release + span
+    return made.timed(**times)

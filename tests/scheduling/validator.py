@@ -35,7 +35,7 @@ class Replay:
     def faults(self) -> list[str]:
         if sorted(self.at) != sorted(self.leaves) or len(self.result.actions) != len(self.leaves):
             return ["the scheduled actions are not the selected ones"]
-        found = [*self.staffing(), *self.holding(), *self.links(), *self.durations(), *self.travel(), *self.budgets()]
+        found = [*self.staffing(), *self.holding(), *self.links(), *self.durations(), *self.travel(), *self.budgets(), *self.timely()]
         if [(o.start_s, o.leaf) for o in self.result.actions] != sorted(
             (o.start_s, o.leaf) for o in self.result.actions
         ):
@@ -47,6 +47,15 @@ class Replay:
         if abs(self.result.makespan_s - max(one.end_s for one in self.result.actions)) > EPS:
             found.append("the makespan is not the last end")
         return found
+
+    def timely(self) -> Iterator[str]:
+        """Release times and deadlines, node by node."""
+        for index, node in enumerate(self.tree.nodes):
+            for leaf in self.below(index) if node.release_s or node.deadline_s is not None else ():
+                if self.at[leaf].start_s < node.release_s - EPS:
+                    yield f"{leaf} starts before the release time of {index}"
+                if node.deadline_s is not None and self.at[leaf].end_s > node.deadline_s + EPS:
+                    yield f"{leaf} ends after the deadline of {index}"
 
     def below(self, node: int) -> list[int]:
         found = []

@@ -15,6 +15,7 @@ from typing import Literal
 from missiontree.mission.estimate import Estimate
 from missiontree.mission.estimator_source import Estimated
 from missiontree.mission.reason import Reason
+from missiontree.mission.times import Window, check_times, windows_of
 from missiontree.mission.tree import LinkKind
 from missiontree.mission.value import Id, Index, NonNegative, Value
 
@@ -96,6 +97,8 @@ class GroundedNode(Value):
         Id of the mission tree's node it came from; None in foreign instances.
     action
         What is done; for leaves only.
+    release_s, deadline_s
+        As in the mission tree: the root's deadline is also the mission's.
     """
 
     parent: int
@@ -103,8 +106,11 @@ class GroundedNode(Value):
     label: str
     source: Id | None = None
     action: Action | None = None
+    release_s: NonNegative = 0.0
+    deadline_s: NonNegative | None = None
 
     def _check(self) -> None:
+        check_times(f"node {self.label!r}", self.release_s, self.deadline_s)
         if (self.kind == "action") != (self.action is not None):
             raise ValueError(f"node {self.label!r} is of kind {self.kind!r}; actions, and they alone, carry an action.")
 
@@ -191,6 +197,11 @@ class GroundedTree(Value):
             if node.parent >= 0:
                 below[node.parent].append(index)
         return tuple(tuple(children) for children in below)
+
+    @cached_property
+    def windows(self) -> tuple[Window, ...]:
+        """From when and until when each node may be under way: its own times, and those of all nodes above it."""
+        return windows_of((node.parent, node.release_s, node.deadline_s) for node in self.nodes)
 
     def action(self, leaf: int) -> Action:
         """The action of a leaf."""

@@ -8,7 +8,8 @@ from functools import cached_property
 from typing import Literal
 
 from missiontree.mission.entity import Entity
-from missiontree.mission.value import Id, Value, require_unique
+from missiontree.mission.times import check_times
+from missiontree.mission.value import Id, NonNegative, Value, require_unique
 
 Gate = Literal["and", "xor"]
 LinkKind = Literal["precedence", "same_robot", "different_robot", "until"]
@@ -56,6 +57,12 @@ class MissionNode(Value):
         Argument name to entity id.
     resources
         Robot types allowed; None (default) means all.
+    release_s
+        No selected action at or below the node starts earlier; seconds from the mission's start, at least 0. Default 0. A robot may
+        be on its way before.
+    deadline_s
+        All selected actions at or below the node have ended by then; seconds from the mission's start, at least 0. None (default) means
+        no deadline.
     """
 
     id: Id
@@ -65,8 +72,11 @@ class MissionNode(Value):
     routine: Id | None = None
     arguments: Mapping[Id, Id] = field(default_factory=dict)
     resources: tuple[Id, ...] | None = None
+    release_s: NonNegative = 0.0
+    deadline_s: NonNegative | None = None
 
     def _check(self) -> None:
+        check_times(f"node {self.id!r}", self.release_s, self.deadline_s)
         if self.routine is not None and (self.gate is not None or self.children):
             raise ValueError(f"node {self.id!r} is a routine; routines have no children.")
         if self.routine is None and (self.arguments or self.resources is not None):

@@ -27,6 +27,8 @@ class Board:
         self.totals = {kind.id: dict(kind.total_limits) for kind in problem.fleet.types}
         self.shared = dict(problem.shared)
         self.time = [0] * len(self.graph.successors)
+        for activity, release in self.graph.release.items():
+            self.time[2 * activity] = release
         self.missing = indegrees(self.graph.successors)
         self.least_end: dict[int, int] = {}  # of activities that others must be under way for
         self.begun = dict.fromkeys(self.graph.roles, 0)  # actions of each role that are placed

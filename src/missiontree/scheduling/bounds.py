@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import heapq
 import itertools
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from missiontree.estimation.travel import Blocked
@@ -18,13 +18,15 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
 from missiontree.mission.position import Position
 from missiontree.scheduling.entries import least_entries
-from missiontree.scheduling.load import load_bound
+from missiontree.scheduling.load import load_bound, pieces_of
 from missiontree.scheduling.places import Places, Spots
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
-from missiontree.scheduling.ticks import ticks
+from missiontree.mission.ticks import ticks
 from missiontree.scheduling.trips import Spot, Trips
 
+NEVER = 1 << 62
+"""A tick that never comes."""
 _MANY = 48  # spots of a type beyond which travel is bounded by nothing; keeps bounds cheaper than schedules
 
 
@@ -45,6 +47,14 @@ class Bounds:
         Least travel inside a role from the end of the action before to the start of an action, by leaf.
     heads, tails
         For each event, the least time before it, and the least time from it to the end of the mission.
+    entries
+        Least travel into a role, by role; see :mod:`missiontree.scheduling.entries`.
+    latest
+        For each event, the last tick at which it may be if all deadlines are to be kept; ``NEVER`` where none depends on it. Empty if there
+        is no deadline.
+    due
+        For each event, how urgent it is: ``latest``, or the last tick at which everything can still end by ``makespan``, or by the last
+        deadline of all if that is later.
     """
 
     makespan: int
@@ -53,6 +63,9 @@ class Bounds:
     lag: dict[int, int] = field(default_factory=dict)
     heads: list[int] = field(default_factory=list)
     tails: list[int] = field(default_factory=list)
+    entries: Mapping[int, int] = field(default_factory=dict)
+    latest: list[int] = field(default_factory=list)
+    due: list[int] = field(default_factory=list)
 
 
 def lower_bounds(
@@ -79,9 +92,15 @@ def lower_bounds(
     heads, tails = _longest_paths(graph, order, duration, lag, release)
     path = max(heads, default=0)
     entries = least_entries(graph, staffing, places, trips)
-    load = load_bound(graph, staffing, fleet, duration, lag, heads, tails, entries)
+    plain = pieces_of(graph, staffing, duration, lag, heads, tails)
+    entered = pieces_of(graph, staffing, duration, lag, heads, tails, entries) if entries else []
+    load = max(load_bound(plain, fleet), load_bound(entered, fleet))
     method = "load" if load > path else "critical_path"
-    return Bounds(max(path, load), method, duration, lag, heads, tails)
+    makespan = max(path, load)
+    latest = _latest(graph, order, duration, lag) if graph.deadline else []
+    end = max(makespan, *graph.deadline.values()) if graph.deadline else makespan
+    due = [min(end - tail, last) for tail, last in zip(tails, latest or [NEVER] * len(tails), strict=True)]
+    return Bounds(makespan, method, duration, lag, heads, tails, entries, latest, due)
 
 
 class _Travel:
@@ -174,7 +193,7 @@ def _least_duration(graph: TaskGraph, activity: int, travel: _Travel) -> int:
 
 def _releases(graph: TaskGraph, travel: _Travel, duration: Sequence[int]) -> dict[int, int]:
     """
-    Ticks before which an action with a place cannot start, or a move cannot end.
+    Ticks before which an action with a place cannot start, or a move cannot end, and those before which nothing may start.
 
     What a role does before its first place is done by a robot that stands still, so it comes on top of every way there.
     """
@@ -186,6 +205,8 @@ def _releases(graph: TaskGraph, travel: _Travel, duration: Sequence[int]) -> dic
             if action.at is not None:
                 event = 2 * activity + action.moves
                 release[event] = max(release.get(event, 0), travel.arrival(leaf) + still.get(leaf, 0))
+    for activity, earliest in graph.release.items():
+        release[2 * activity] = max(release.get(2 * activity, 0), earliest)
     return release
 
 
@@ -208,6 +229,18 @@ def _longest_paths(
 ) -> tuple[list[int], list[int]]:
     heads = [release.get(event, 0) for event in range(len(graph.successors))]
     tails = [0] * len(heads)
+    weight = weights(graph, duration, lag)
+    for event in order:
+        for after in graph.successors[event]:
+            heads[after] = max(heads[after], heads[event] + weight(event, after))
+    for event in reversed(order):
+        for after in graph.successors[event]:
+            tails[event] = max(tails[event], tails[after] + weight(event, after))
+    return heads, tails
+
+
+def weights(graph: TaskGraph, duration: Sequence[int], lag: Mapping[int, int]) -> Callable[[int, int], int]:
+    """The least time between two events of which one is a successor of the other."""
     between = {
         (graph.end(before), graph.start(after)): lag.get(after, 0)
         for leaves in graph.roles.values()
@@ -219,10 +252,16 @@ def _longest_paths(
             return duration[event // 2]
         return between.get((event, after), 0)
 
-    for event in order:
-        for after in graph.successors[event]:
-            heads[after] = max(heads[after], heads[event] + weight(event, after))
+    return weight
+
+
+def _latest(graph: TaskGraph, order: Sequence[int], duration: Sequence[int], lag: Mapping[int, int]) -> list[int]:
+    """See :class:`Bounds`."""
+    latest, weight = [NEVER] * len(graph.successors), weights(graph, duration, lag)
+    for activity, deadline in graph.deadline.items():
+        latest[2 * activity + 1] = deadline
     for event in reversed(order):
         for after in graph.successors[event]:
-            tails[event] = max(tails[event], tails[after] + weight(event, after))
-    return heads, tails
+            if latest[after] != NEVER:
+                latest[event] = min(latest[event], latest[after] - weight(event, after))
+    return latest

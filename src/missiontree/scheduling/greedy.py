@@ -1,7 +1,8 @@
 """
 Greedy list scheduling: instant, honest about what it proves.
 
-First what cannot be is proven: a cycle, a place out of reach, a budget too small, robots that must be one and two. Then a few
+First what cannot be is proven: a cycle, a place out of reach, a budget too small, a deadline too soon, robots that must be one and
+two. Then a few
 deterministic runs of serial schedule generation (:mod:`missiontree.scheduling.serial`) with different rules, and the best of them is
 kept. If its makespan equals a lower bound it is optimal.
 """
@@ -21,6 +22,7 @@ from missiontree.scheduling.alike import alike_roles
 from missiontree.scheduling.approach_budget import approaches_too_dear
 from missiontree.scheduling.bounds import lower_bounds
 from missiontree.scheduling.bundles import bundles_of, crews_of
+from missiontree.scheduling.deadlines import Late, deadlines_missed, deadlines_out_of_reach
 from missiontree.scheduling.holding import order_held_roles
 from missiontree.scheduling.impossible import budgets_exceeded, cycle_reason, group_needs, unreachable_places
 from missiontree.scheduling.mission_terms import required_in_vain, shared_by_all, shared_exceeded, terms_broken
@@ -31,7 +33,7 @@ from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.rules import rules
 from missiontree.scheduling.serial import Run
 from missiontree.scheduling.staffing import staffing_conflicts, staffing_of
-from missiontree.scheduling.ticks import seconds
+from missiontree.mission.ticks import seconds
 from missiontree.scheduling.trips import Trips
 from missiontree.scheduling.writing import found_schedule, unknown_schedule
 
@@ -90,6 +92,8 @@ def _read(
     if reasons := [*too_much, *approaches_too_dear(graph, places, trips)]:
         return "budget_bound", reasons
     bounds = lower_bounds(graph, order, staffing, places, fleet, trips)
+    if reasons := deadlines_out_of_reach(graph, staffing, bounds, fleet):
+        return "deadline_bound", reasons
     alike = alike_roles(graph, staffing, needs)
     bundles, crews, required = bundles_of(graph), crews_of(graph), terms.required_robots(fleet)
     return Problem(graph, staffing, bounds, fleet, trips, bundles, crews, needs, alike, shared, required)
@@ -99,6 +103,7 @@ def _best(problem: Problem, alternative: Alternative, control: Control) -> tuple
     """The best draft of all runs, and why runs got stuck."""
     best: Draft | None = None
     failures: dict[Reason, None] = {}
+    late: Late | None = None
     runs = max(MIN_RUNS, min(MAX_RUNS, LEAVES_PER_CALL // max(1, len(problem.graph.activity_of))))
     looked = 0
     for number, rule in enumerate(rules(problem, alternative, runs, control.seed)):
@@ -107,14 +112,16 @@ def _best(problem: Problem, alternative: Alternative, control: Control) -> tuple
         run = Run(problem, rule)
         draft = None if number and control.ended() else run(control.ended)
         if draft is None:
-            return best, [_TIME_IS_UP, *failures]
+            return best, [_TIME_IS_UP, *(late.reasons if late else ()), *failures]
         looked += run.looked
         if reasons := draft.reasons or terms_broken(problem, draft.robot_of):
             failures.update(dict.fromkeys(reasons))
+        elif (missed := deadlines_missed(problem, draft)) is not None:
+            late = missed if late is None else min(late, missed)
         elif best is None or draft.value < best.value:
             best = draft
         control.report(Progress("scheduling", number + 1, int(best is not None), seconds(problem.bounds.makespan)))
-    return best, list(failures)
+    return best, [*(late.reasons if late else ()), *failures]
 
 
 def _enough(number: int, runs: int, looked: int) -> bool:

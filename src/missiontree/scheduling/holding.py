@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from missiontree.mission.fleet import Fleet
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
-from missiontree.scheduling.ticks import ticks
+from missiontree.mission.ticks import ticks
 
 
 def order_held_roles(graph: TaskGraph, staffing: Staffing, fleet: Fleet) -> list[int] | None:

@@ -3,69 +3,96 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
 
 from missiontree.mission.fleet import Fleet
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
 
-_Piece = tuple[int, int, int]
+
+class Piece(NamedTuple):
+    """
+    A role as a piece of work for one robot, in ticks.
+
+    Parameters
+    ----------
+    role, type_id, group
+        The role, the type that fills it, and the group of roles that one robot fills.
+    head
+        It begins no earlier.
+    hold
+        How long it holds its robot at least.
+    tail
+        How long the mission goes on after it at least.
+    """
+
+    role: int
+    type_id: str
+    group: int
+    head: int
+    hold: int
+    tail: int
 
 
-def load_bound(
+NOWHERE: Mapping[int, int] = {}
+
+
+def pieces_of(
     graph: TaskGraph,
     staffing: Staffing,
-    fleet: Fleet,
     duration: Sequence[int],
-    lag: dict[int, int],
+    lag: Mapping[int, int],
     heads: Sequence[int],
     tails: Sequence[int],
-    entries: Mapping[int, int],
-) -> int:
-    """The largest load bound over all types, and over all groups of roles that one robot fills, with and without entries."""
-    plain, entered = _Pieces(), _Pieces()
+    entries: Mapping[int, int] = NOWHERE,
+) -> list[Piece]:
+    """
+    Every role as a piece of work, with the least travel into it (``entries``, by role) as its part.
+
+    A robot that travels early and waits at the place could as well have set out later: so a piece with its travel begins no earlier
+    than its first action can, less the travel.
+    """
+    pieces: list[Piece] = []
     for role, leaves in graph.roles.items():
         hold = sum(duration[graph.activity_of[leaf]] + lag.get(leaf, 0) for leaf in leaves)
         head, tail = heads[graph.start(leaves[0])], tails[graph.end(leaves[-1])]
-        whose = staffing.type_of[role], staffing.group_of[role]
-        plain.add(*whose, (head, hold, tail))
         entry = entries.get(role, 0)
         if graph.tree.action(leaves[0]).moves:
             # the way is the action itself, which may last longer for the sake of others
             hold += max(0, entry - duration[graph.activity_of[leaves[0]]])
         else:
             head, hold = max(0, head - entry), hold + entry
-        entered.add(*whose, (head, hold, tail))
-    return max(plain.bound(fleet), entered.bound(fleet) if entries else 0)
+        pieces.append(Piece(role, staffing.type_of[role], staffing.group_of[role], head, hold, tail))
+    return pieces
 
 
-class _Pieces:
-    """Roles as pieces of work by type and by group: earliest begin, time that they hold a robot, least time that follows."""
-
-    def __init__(self) -> None:
-        self._by_type: dict[str, list[_Piece]] = {}
-        self._by_group: dict[int, list[_Piece]] = {}
-
-    def add(self, type_id: str, group: int, piece: _Piece) -> None:
-        self._by_type.setdefault(type_id, []).append(piece)
-        self._by_group.setdefault(group, []).append(piece)
-
-    def bound(self, fleet: Fleet) -> int:
-        loads = [_shared(pieces, fleet.by_id[kind].usable) for kind, pieces in self._by_type.items()]
-        loads += [_shared(pieces, 1) for pieces in self._by_group.values() if len(pieces) > 1]
-        return max(loads, default=0)
+def shares(pieces: Iterable[Piece], fleet: Fleet) -> list[tuple[list[Piece], int]]:
+    """Pieces that a number of robots share: those of a type, and those of a group that one robot fills."""
+    by_type: dict[str, list[Piece]] = {}
+    by_group: dict[int, list[Piece]] = {}
+    for piece in pieces:
+        by_type.setdefault(piece.type_id, []).append(piece)
+        by_group.setdefault(piece.group, []).append(piece)
+    found = [(own, fleet.by_id[kind].usable) for kind, own in by_type.items()]
+    return found + [(own, 1) for own in by_group.values() if len(own) > 1]
 
 
-def _shared(pieces: Iterable[tuple[int, int, int]], robots: int) -> int:
+def load_bound(pieces: Iterable[Piece], fleet: Fleet) -> int:
+    """The largest load bound over all types, and over all groups of roles that one robot fills."""
+    return max((_shared(own, robots) for own, robots in shares(pieces, fleet)), default=0)
+
+
+def _shared(pieces: list[Piece], robots: int) -> int:
     """The largest, over sets of pieces, of least head + load per robot + least tail."""
-    pieces = sorted(pieces, key=lambda piece: -piece[2])  # by tail, the longest first
-    heads = sorted({head for head, _, _ in pieces})
+    pieces = sorted(pieces, key=lambda piece: -piece.tail)  # the longest first
+    heads = sorted({piece.head for piece in pieces})
     if len(heads) * len(pieces) > 1_000_000:
         heads = heads[:: len(heads) * len(pieces) // 1_000_000 + 1]
     best = 0
     for least in heads:
         load = 0
-        for head, hold, tail in pieces:
-            if head >= least:
-                load += hold
-                best = max(best, least - (-load // robots) + tail)
+        for piece in pieces:
+            if piece.head >= least:
+                load += piece.hold
+                best = max(best, least - (-load // robots) + piece.tail)
     return best

@@ -6,7 +6,7 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
-from missiontree.scheduling.ticks import ticks
+from missiontree.mission.ticks import ticks
 
 
 def overlaps_of_one_robot(graph: TaskGraph, staffing: Staffing, fleet: Fleet) -> list[Reason]:

@@ -37,6 +37,11 @@ class TaskGraph:
         sets their end. Those have an end of their own, and one of them must end after the start of what waits for it.
     successors
         For each event, the events that come no earlier. Activity a starts at event 2a and ends at 2a + 1; inner nodes follow.
+    release, deadline
+        Ticks before which an activity cannot start, and by which it must have ended, by activity: its leaves' own times and those of
+        all nodes above them. Only activities with such a time are there.
+    due_to
+        Node that sets the deadline of an activity.
     """
 
     tree: GroundedTree
@@ -45,6 +50,9 @@ class TaskGraph:
     roles: dict[int, tuple[int, ...]]
     until: Mapping[int, frozenset[int]] = field(default_factory=dict)
     successors: list[list[int]] = field(default_factory=list)
+    release: dict[int, int] = field(default_factory=dict)
+    deadline: dict[int, int] = field(default_factory=dict)
+    due_to: dict[int, int] = field(default_factory=dict)
     activity_of: dict[int, int] = field(default_factory=dict)
     number: dict[int, int] = field(default_factory=dict)
     place: dict[int, int] = field(default_factory=dict)
@@ -125,6 +133,7 @@ def task_graph(tree: GroundedTree, choices: Sequence[Choice]) -> TaskGraph:
     )
     _number(graph)
     _connect(graph)
+    _time(graph)
     return graph
 
 
@@ -183,6 +192,17 @@ def _connect(graph: TaskGraph) -> None:
     for first, second in graph.links("precedence"):
         add[graph.end(first)].append(graph.start(second))
     _connect_until(graph)
+
+
+def _time(graph: TaskGraph) -> None:
+    """Joint actions start with the last release of them all, and end by the first deadline."""
+    windows = graph.tree.windows
+    for activity, leaves in enumerate(graph.activities):
+        for window in (windows[leaf] for leaf in leaves):
+            if window.release:
+                graph.release[activity] = max(graph.release.get(activity, 0), window.release)
+            if window.deadline is not None and window.deadline < graph.deadline.get(activity, window.deadline + 1):
+                graph.deadline[activity], graph.due_to[activity] = window.deadline, window.due_to
 
 
 def _connect_until(graph: TaskGraph) -> None:

@@ -64,7 +64,7 @@ class Rule:
     patience
         Ticks that a robot may idle for the sake of a role with more to follow. 0 (default): the earliest start goes first.
     jitter
-        Added to the remaining path, by activity.
+        Ticks by which an activity is taken to be due earlier than it is.
     binding
         Robot of each group of roles, if it is fixed beforehand.
     """

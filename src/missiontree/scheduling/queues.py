@@ -22,7 +22,7 @@ _LOOK = 16  # roles of a queue that are compared where travel makes a difference
 
 @dataclass(slots=True)
 class Queue:
-    """Roles that may begin with any robot of a type, or with one robot: ``later`` by ready time, ``now`` by remaining path."""
+    """Roles that may begin with any robot of a type, or with one robot: ``later`` by ready time, ``now`` by when they are due."""
 
     number: int
     type_id: str
@@ -134,7 +134,7 @@ class Queues:
         self.call(queue)
 
     def _look(self, queue: Queue, limit: int, free: int) -> tuple[list[tuple[int, int, int]], tuple[int, Offer] | None]:
-        """The first few roles of a queue, those with the longest way to go, and the one of them that can begin earliest."""
+        """The first few roles of a queue, those that are due first, and the one of them that can begin earliest."""
         self._ripen(queue, limit)
         looked: list[tuple[int, int, int]] = []
         best: tuple[int, Offer] | None = None
@@ -161,12 +161,12 @@ class Queues:
         return looked, best
 
     def _ripen(self, queue: Queue, limit: int) -> None:
-        """Roles that are ready by now are compared by their way to go."""
+        """Roles that are ready by now are compared by how soon they are due."""
         board = self._board
         while queue.later and queue.later[0][0] <= limit:
             activity = heapq.heappop(queue.later)[1]
-            tail = board.problem.bounds.tails[2 * activity] + board.rule.jitter.get(activity, 0)
-            heapq.heappush(queue.now, (-tail, board.graph.activities[activity][0], activity))
+            due = board.problem.bounds.due[2 * activity] - board.rule.jitter.get(activity, 0)
+            heapq.heappush(queue.now, (due, board.graph.activities[activity][0], activity))
 
     def _put_aside(self, activity: int) -> None:
         board = self._board

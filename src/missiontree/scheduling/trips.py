@@ -10,7 +10,7 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
-from missiontree.scheduling.ticks import ticks
+from missiontree.mission.ticks import ticks
 
 Spot = Position | None
 

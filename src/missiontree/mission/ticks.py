@@ -1,4 +1,4 @@
-"""Seconds and the integers that schedulers count in. The only place where time is rounded."""
+"""Seconds and the integers that allocators and schedulers count in. The only place where time is rounded."""
 
 from __future__ import annotations
 
@@ -19,6 +19,19 @@ def ticks(duration_s: float) -> int:
     """
     exact = duration_s * TICKS_PER_S
     return math.ceil(exact - max(_NOISE, exact * 1e-12))
+
+
+def ticks_within(deadline_s: float) -> int:
+    """
+    The last tick that is no later than a deadline: rounded down.
+
+    Parameters
+    ----------
+    deadline_s
+        Seconds, at least 0. Float noise below a whole tick does not cost a tick.
+    """
+    exact = deadline_s * TICKS_PER_S
+    return math.floor(exact + max(_NOISE, exact * 1e-12))
 
 
 def seconds(count: int) -> float:

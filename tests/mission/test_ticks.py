@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from missiontree.scheduling.ticks import seconds, ticks
+from missiontree.mission.ticks import seconds, ticks
 
 
 @pytest.mark.parametrize(
