@@ -7,7 +7,7 @@ from dataclasses import replace
 from random import Random
 
 from missiontree.mission.fleet import Fleet, RobotType
-from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.grounded import GroundedLink, GroundedNode, GroundedTree
 from missiontree.mission.terms import Terms
 
 Ruled = tuple[Fleet, Terms]
@@ -78,3 +78,49 @@ RULES: dict[str, Rule] = {
     "robots required": require,
 }
 """Every rule by name; each may be drawn on top of the others, in this order."""
+
+
+def times(rng: Random, tree: GroundedTree) -> GroundedTree:
+    """
+    Durations, certain travel, joint and open-ended actions; release times and deadlines at up to three nodes; an until link.
+
+    The root has a deadline in two of three trees, from what one action takes to more than most selections do.
+    """
+    syncs = [None, None, None, None, None, 0, 1]
+    timed: list[GroundedNode] = []
+    chosen = set(rng.sample(range(len(tree.nodes)), min(len(tree.nodes), rng.randint(0, 3))))
+    chosen |= {0} if rng.random() < 0.67 or not chosen else set()
+    for index, node in enumerate(tree.nodes):
+        action = node.action
+        if action is not None:
+            action = replace(
+                action,
+                duration_s=rng.randint(0, 8) / 2,
+                travel_at_least_s=rng.choice((0, 0, 0, 1.5)),
+                moves=rng.random() < 0.25,
+                sync=rng.choice(syncs),
+                open_ended=rng.random() < 0.2,
+            )
+        release = rng.choice((0, 0, 0, 1, 3.5)) if index in chosen else 0.0
+        span = rng.choice((None, 1, 2, 3, 4, 6, 8, 11)) if index in chosen else None
+        if index == 0 and index in chosen:
+            span = rng.choice((3, 4, 5, 6, 8, 10, 14))
+        deadline = None if span is None else release + span
+        timed.append(replace(node, action=action, release_s=release, deadline_s=deadline))
+    links = (*tree.links, *_until(rng, tree))
+    return replace(tree, nodes=tuple(timed), links=links)
+
+
+def _until(rng: Random, tree: GroundedTree) -> Iterable[GroundedLink]:
+    first, second = rng.randrange(len(tree.nodes)), rng.randrange(len(tree.nodes))
+    for outer, inner in ((first, second), (second, first)):
+        node = inner
+        while node > outer:
+            node = tree.nodes[node].parent
+        if node == outer:
+            return ()
+    return (GroundedLink(first, second, "until"),)
+
+
+TREE_RULES: dict[str, Callable[[Random, GroundedTree], GroundedTree]] = {"release times and deadlines": times}
+"""Rules that stand in the tree itself, drawn after all others."""

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from random import Random
 
-from benchmarks.random_rules import RULES
+from benchmarks.random_rules import RULES, TREE_RULES
 from missiontree.allocation.flat import Flat, flatten
 from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Fleet, Robot, RobotType
@@ -60,7 +60,7 @@ def random_case(rng: Random, rules: Sequence[str] | None = None) -> Case:
     rng
         Source of all luck.
     rules
-        Rules for the whole mission that hold, see :data:`benchmarks.random_rules.RULES`. Default: each of them seldom.
+        Rules that hold, see :data:`benchmarks.random_rules.RULES` and ``TREE_RULES``. Default: each of them seldom.
     """
     size = rng.randint(1, 20)
     while True:
@@ -72,8 +72,11 @@ def random_case(rng: Random, rules: Sequence[str] | None = None) -> Case:
             k = rng.choice((1, 2, 3, 4, 10, 1000))
             drawn = [name for name in RULES if coupled and rng.random() < SELDOM] if rules is None else rules
             terms = NO_TERMS
-            for name in drawn:
+            for name in (name for name in drawn if name in RULES):
                 fleet, terms = RULES[name](rng, tree, fleet, terms)
+            in_tree = [name for name in TREE_RULES if coupled and rng.random() < SELDOM] if rules is None else drawn
+            for name in (name for name in in_tree if name in TREE_RULES):
+                tree = TREE_RULES[name](rng, tree)
             return Case(tree, fleet, weights, k, coupled, terms)
         size = max(1, size - 1)
 

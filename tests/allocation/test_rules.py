@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from random import Random
 
 import pytest
 
 from benchmarks.allocation_agreement import EVERYTHING, exact_faults, run
-from benchmarks.random_rules import RULES
+from benchmarks.random_rules import RULES, TREE_RULES
 from benchmarks.random_trees import Case, random_case
 from missiontree.allocation import ALLOCATORS
 from missiontree.allocation.exhaustive import Exhaustive
@@ -51,7 +52,7 @@ def either(name: str, use: str = "energy_j") -> Spec:
 TWO = grounded(and_(either("x"), either("y")))
 
 
-@pytest.mark.parametrize("rule", RULES)
+@pytest.mark.parametrize("rule", [*RULES, *TREE_RULES])
 def test_exact_and_the_oracle_agree_under_every_rule(rule: str) -> None:
     """Lists, order, status, bounds and witnesses on 300 trees for each rule; each rule refuses something in many of them."""
     refusing = 0
@@ -59,9 +60,13 @@ def test_exact_and_the_oracle_agree_under_every_rule(rule: str) -> None:
         case = random_case(Random(f"{rule}:{index}"), (rule,))  # noqa: S311 - luck for tests, not for secrets
         truth = run(Exhaustive(), case, EVERYTHING)
         assert list(exact_faults(case, truth)) == [], f"case {index}"
-        bare = Case(case.tree, _unruled(case.fleet), case.weights, case.k, case.coupled)
+        bare = Case(_untimed(case.tree), _unruled(case.fleet), case.weights, case.k, case.coupled)
         refusing += len(run(Exhaustive(), bare, EVERYTHING).alternatives) > len(truth.alternatives)
     assert refusing > PER_RULE // 30
+
+
+def _untimed(tree: GroundedTree) -> GroundedTree:
+    return replace(tree, nodes=tuple(replace(node, release_s=0.0, deadline_s=None) for node in tree.nodes))
 
 
 def _unruled(fleet: Fleet) -> Fleet:

@@ -124,20 +124,13 @@ def _ends(
             if last is not None:
                 before.append((last, leaf, way))
             last = leaf
-    due: dict[int, int] = {}
-    for node, timed in enumerate(instance.tree.nodes):
-        for leaf in _under(instance, leaves, node) if timed.release_s or timed.deadline_s is not None else ():
-            release[leaf] = max(release[leaf], math.ceil(timed.release_s * 1000 - 1e-6))
-            if timed.deadline_s is not None:
-                due[leaf] = min(due.get(leaf, 1 << 60), math.floor(timed.deadline_s * 1000 + 1e-6))
+    due = _due(instance, leaves, release)
     until: dict[int, list[int]] = {}
     for kind, first, second in _binding_links(instance):
-        if kind == "precedence":
-            before += [(a, b, 0) for a in first for b in second]
-        if kind == "until":
-            for leaf in first:
-                if action[leaf].open_ended:
-                    until.setdefault(leaf, []).extend(second)
+        before += [(a, b, 0) for a in first for b in second] if kind == "precedence" else []
+        for leaf in first if kind == "until" else ():
+            if action[leaf].open_ended:
+                until.setdefault(leaf, []).extend(second)
     joint = {leaf: [other for other in leaves if _together(action[leaf], action[other])] or [leaf] for leaf in leaves}
     fixed = {leaf: [end for end in _ends_of(leaf, until) if end not in until] for leaf in until}
     found: list[int] = []
@@ -147,6 +140,17 @@ def _ends(
         if ends is not None and all(ends[leaf] <= last_tick for leaf, last_tick in due.items()):
             found.append(max(ends.values()))
     return min(found, default=None)
+
+
+def _due(instance: Instance, leaves: Sequence[int], release: dict[int, int]) -> dict[int, int]:
+    """Deadlines by leaf; release times are put into ``release``."""
+    due: dict[int, int] = {}
+    for node, timed in enumerate(instance.tree.nodes):
+        for leaf in _under(instance, leaves, node) if timed.release_s or timed.deadline_s is not None else ():
+            release[leaf] = max(release[leaf], math.ceil(timed.release_s * 1000 - 1e-6))
+            if timed.deadline_s is not None:
+                due[leaf] = min(due.get(leaf, 1 << 60), math.floor(timed.deadline_s * 1000 + 1e-6))
+    return due
 
 
 def _ends_of(leaf: int, until: dict[int, list[int]]) -> set[int]:

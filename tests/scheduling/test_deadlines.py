@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 from missiontree.mission.control import Control
 from missiontree.mission.fleet import Fleet
 from missiontree.scheduling.greedy import greedy
 from tests.scheduling.brute_force import least_makespan
-from tests.scheduling.instances import Instance, Part, at, mission, move, robots, scene, schedule, times, work
+from tests.scheduling.instances import Instance
 from tests.scheduling.strategies import fleets, instances, plane, timed
 from tests.scheduling.test_serial import stands_still
 from tests.scheduling.validator import faults

@@ -35,7 +35,15 @@ class Replay:
     def faults(self) -> list[str]:
         if sorted(self.at) != sorted(self.leaves) or len(self.result.actions) != len(self.leaves):
             return ["the scheduled actions are not the selected ones"]
-        found = [*self.staffing(), *self.holding(), *self.links(), *self.durations(), *self.travel(), *self.budgets(), *self.timely()]
+        found = [
+            *self.staffing(),
+            *self.holding(),
+            *self.links(),
+            *self.durations(),
+            *self.travel(),
+            *self.budgets(),
+            *self.timely(),
+        ]
         if [(o.start_s, o.leaf) for o in self.result.actions] != sorted(
             (o.start_s, o.leaf) for o in self.result.actions
         ):

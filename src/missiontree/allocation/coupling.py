@@ -11,12 +11,13 @@ def couples(flat: Flat) -> bool:
     """
     Whether some rule might refuse a way through the tree.
 
-    Rules are budgets that an action uses, links about robots, somebody who must take part, teams that could want more robots of a
-    type than may be in use, and roles whose actions could name two types at once. Without any of these one robot of each type, or
+    Rules are budgets that an action uses, links about robots, somebody who must take part, deadlines, teams that could want more robots
+    of a type than may be in use, and roles whose actions could name two types at once. Without any of these one robot of each type, or
     one team of them, can do everything, so that a maximum in use refuses nothing. False is certain; true only means that somebody
     has to look.
     """
-    return bool(any(flat.uses) or flat.links or flat.required or _crowded_team(flat) or _torn_role(flat))
+    simply = any(flat.uses) or flat.links or flat.required or flat.timing is not None
+    return bool(simply or _crowded_team(flat) or _torn_role(flat))
 
 
 def _crowded_team(flat: Flat) -> bool:

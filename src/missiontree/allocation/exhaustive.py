@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from itertools import islice, product
+from itertools import islice, pairwise, product
 from math import prod
 
 from missiontree.allocation.feasibility import Verdict
@@ -138,7 +138,7 @@ class _Judge:
                 return Verdict("no")
         if not set(flat.required) <= set(types.values()):
             return Verdict("no")
-        if not self._shared_kept(selection):
+        if not self._shared_kept(selection) or not self._in_time(selection):
             return Verdict("no")
         same = [self._roles_under(link, selection) for link in flat.same_robot if set(link) <= set(selection.nodes)]
         apart = [
@@ -168,6 +168,50 @@ class _Judge:
             if sum(self.flat.uses[leaf].get(name, 0) for leaf in selection.leaves) > shared.limit:
                 return False
         return True
+
+    def _in_time(self, selection: Selection) -> bool:
+        """Push every action as late as its release, its role, links and joint work say, again and again, until nothing moves."""
+        timing = self.flat.timing
+        if timing is None:
+            return True
+        last = max(window.deadline for window in timing.windows if window.deadline is not None)
+        leaves, nodes = selection.leaves, set(selection.nodes)
+        start = {leaf: timing.windows[leaf].release for leaf in leaves}
+        end = dict(start)
+        until = [link for link in timing.until if set(link) <= nodes]
+        under = {node: [leaf for leaf in leaves if self._above(node, leaf)] for link in until for node in link}
+        ends_with: dict[int, list[int]] = {}
+        for first, second in until:
+            for leaf in under[first] if under[second] else ():
+                if leaf in timing.open_ended:
+                    ends_with.setdefault(leaf, []).extend(under[second])
+        order = [(a, b, timing.lag[b]) for a, b in self._neighbours_in_roles(leaves)]
+        for first, second in timing.precedence:
+            if {first, second} <= nodes:
+                order += [(a, b, 0) for a in leaves for b in leaves if self._above(first, a) and self._above(second, b)]
+        joint = [[leaf for leaf in leaves if timing.sync.get(leaf) == number] for number in set(timing.sync.values())]
+        while True:
+            before = dict(start), dict(end)
+            for a, b, lag in order:
+                start[b] = max(start[b], end[a] + lag)
+            for leaf in leaves:
+                length = 0 if leaf in ends_with else timing.length[leaf]
+                end[leaf] = max(end[leaf], start[leaf] + length, *(end[one] for one in ends_with.get(leaf, ())))
+            for group in joint:
+                start.update(dict.fromkeys(group, max((start[leaf] for leaf in group), default=0)))
+                end.update(dict.fromkeys(group, max((end[leaf] for leaf in group), default=0)))
+            start = {
+                leaf: min(time, last + 1) for leaf, time in start.items()
+            }  # what waits for itself would never rest
+            end = {leaf: min(time, last + 1) for leaf, time in end.items()}
+            if (start, end) == before:
+                break
+        deadlines = ((leaf, timing.windows[leaf].deadline) for leaf in leaves)
+        return all(deadline is None or end[leaf] <= deadline for leaf, deadline in deadlines)
+
+    def _neighbours_in_roles(self, leaves: tuple[int, ...]) -> Iterator[tuple[int, int]]:
+        for role in dict.fromkeys(self.flat.role[leaf] for leaf in leaves):
+            yield from pairwise(leaf for leaf in leaves if self.flat.role[leaf] == role)
 
     def _roles_under(self, link: tuple[int, int], selection: Selection) -> tuple[set[int], set[int]]:
         first, second = ({self.flat.role[leaf] for leaf in selection.leaves if self._above(end, leaf)} for end in link)

@@ -1,11 +1,12 @@
 """
-Does this choice of robots stay inside their limits?
+Does this choice of robots stay inside their limits, and can it meet its deadlines?
 
 Totals per type add up over all robots of the type, totals and stocks of the mission over all robots there are. A limit per robot
 holds if *some* assignment of the roles to the type's robots keeps every robot within it; roles of one team, and the two sides of a
 different-robot link, are filled by different robots, and everything under the two ends of a same-robot link by one. Robots are not
 used up: one robot may fill any number of roles, one after the other; but no more robots of a type take part than may be in use, and
 all that must. Types never share a robot, so each type is decided by itself, see :mod:`packing`.
+Deadlines are tested by the critical path, see :mod:`lateness`.
 
 The answer has three values. Packing is hard in the worst case, and beyond a number of steps it is given up as *undecided*,
 which is neither a proof of feasibility nor of the opposite.
@@ -19,6 +20,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from missiontree.allocation.flat import AMOUNT_SCALE, Flat, Shared, Stock
+from missiontree.allocation.lateness import late
 from missiontree.allocation.packing import Load, Packed, pack
 from missiontree.allocation.selection import Selection
 from missiontree.allocation.wording import of_all_robots, of_the_mission, type_idle
@@ -80,6 +82,8 @@ class Feasibility:
         self._check_required(types)
         uses = self._uses(selection)
         self._check_totals(types, uses)
+        if (reason := late(self.flat, selection)) is not None:
+            raise _Refused(reason)
         linked = self._bound_links(selection)
         group_of = _merged(types, linked["same_robot"])
         self._check_groups(types, group_of)

@@ -14,6 +14,7 @@ from functools import cached_property
 from heapq import nlargest
 from typing import Literal
 
+from missiontree.allocation.timing import Timing, timing_of
 from missiontree.errors import InputError
 from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Fleet, RobotType
@@ -115,6 +116,8 @@ class Flat:
         What all robots together may use, by name of the budget. Default: no such limit.
     required
         Types that must fill a role each, with what the operator named: the type, robots of it, or both. Default none.
+    timing
+        What is known of time, if there is a deadline. Default: there is none.
     """
 
     kind: tuple[NodeKind, ...]
@@ -131,6 +134,7 @@ class Flat:
     stocks: Mapping[str, Stock]
     shared: Mapping[str, Shared] = field(default_factory=dict)
     required: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    timing: Timing | None = None
 
     def charges(self, leaf: int) -> Iterator[tuple[Purse, int]]:
         """What a leaf takes from its type's purses and from the mission's."""
@@ -147,7 +151,7 @@ class Flat:
 
     @property
     def links(self) -> tuple[tuple[int, int], ...]:
-        """All links that allocation keeps; links about time are the scheduler's."""
+        """All links about robots; those about time count only where there is a deadline, see :class:`Timing`."""
         return self.same_robot + self.different_robot
 
     @cached_property
@@ -221,6 +225,7 @@ def flatten(tree: GroundedTree | Flat, fleet: Fleet, weights: Weights, terms: Te
         stocks=stocks,
         shared=shared,
         required=terms.required_by_type(fleet),
+        timing=timing_of(tree),
     )
 
 

@@ -4,7 +4,8 @@ Which nodes can be done at all, by one sweep from the leaves up.
 An XOR needs a possible child, an AND needs all of them. On top of that, what a node uses *at least*, whatever is chosen below
 it, must not exceed what there is: a sum at an AND, a minimum over the possible children at an XOR. The least use is kept per
 type, per role (which one robot fills), over all types that are limited, and for the mission; it never refuses a node that some
-feasible alternative selects. And where a type that must take part finds too few roles whatever is chosen, the mission is impossible.
+feasible alternative selects. Neither does what refuses nodes that cannot meet their deadline (:mod:`soonest`). And where a type that
+must take part finds too few roles whatever is chosen, the mission is impossible.
 """
 
 from __future__ import annotations
@@ -12,8 +13,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice
 
 from missiontree.allocation.flat import AMOUNT_SCALE, Flat
+from missiontree.allocation.soonest import TooLate, reasons_of_lateness, strike_late
 from missiontree.allocation.turnout import turnouts
 from missiontree.allocation.wording import Holder, of_all_robots, of_one_robot, of_the_mission, of_types, type_idle
 from missiontree.mission.reason import Reason, Severity
@@ -51,11 +54,14 @@ class Possibility:
         Nodes refused because of budgets, children before parents.
     idle
         Types that must take part and find too few roles, with how many they find at most.
+    late
+        Nodes refused because of deadlines, children before parents.
     """
 
     possible: Sequence[bool]
     excesses: list[Excess] = field(default_factory=list)
     idle: Mapping[str, int] = field(default_factory=dict)
+    late: Sequence[TooLate] = ()
 
 
 def structurally_possible(flat: Flat) -> list[bool]:
@@ -72,9 +78,9 @@ def structurally_possible(flat: Flat) -> list[bool]:
 def possible_nodes(flat: Flat) -> Possibility:
     """Which nodes can be done with what the robots may use, and with everybody who must take part."""
     possible = structurally_possible(flat)
+    found = Possibility(possible, late=strike_late(flat, possible))
     if not any(flat.uses):
-        return _with_required(flat, Possibility(possible))
-    found = Possibility(possible)
+        return _with_required(flat, found)
     limits = _Limits(flat)
     least: dict[int, dict[Purse, int]] = {}
     for node in range(len(flat.kind) - 1, -1, -1):
@@ -194,7 +200,7 @@ class _Limits:
 
 
 def reasons_of(flat: Flat, possibility: Possibility, severity: Severity, limit: int = 8) -> tuple[Reason, ...]:
-    """Who must take part in vain, and the refusals nearest to the root in words, one per budget and type."""
+    """Who must take part in vain, and the refusals nearest to the root in words: one per budget and type, one per deadline."""
     said: dict[tuple[str, str], Reason] = {
         (type_id, ""): type_idle(type_id, flat.required[type_id], severity, roles)
         for type_id, roles in possibility.idle.items()
@@ -215,7 +221,7 @@ def reasons_of(flat: Flat, possibility: Possibility, severity: Severity, limit: 
             needed=f"{name} {needed:g}",
             hint=holder.remedy,
         )
-    return tuple(said.values())
+    return (*said.values(), *islice(reasons_of_lateness(flat, possibility.late, severity), limit))
 
 
 def _holder(flat: Flat, purse: Purse) -> Holder:

@@ -6,7 +6,9 @@ RANKING_PROOFS = frozenset({"lazy_k_best", "branch_and_bound", "pool", "enumerat
 BOUND_PROOFS = frozenset({"critical_path", "load"})
 """Why no schedule is shorter."""
 
-IMPOSSIBILITY_PROOFS = frozenset({"precedence", "staffing", "overlap", "holding", "reachability", "budget_bound", "deadline_bound"})
+IMPOSSIBILITY_PROOFS = frozenset(
+    {"precedence", "staffing", "overlap", "holding", "reachability", "budget_bound", "deadline_bound"}
+)
 """Why there is no schedule."""
 
 SEARCHES = frozenset({"serial_generation"})

@@ -49,6 +49,8 @@ class Action(Value):
         What it uses of the robot's budgets, travel excluded.
     uses_at_least
         What it uses whatever happens: ``uses`` and the travel inside the role that is certain. An approach counts 0.
+    travel_at_least_s
+        Travel time that is certain: before it and inside the role, or of the move that it is. An approach counts 0.
     at
         Entity or place where it is done; None if anywhere. For a move: where it goes.
     moves
@@ -78,6 +80,7 @@ class Action(Value):
     finds: Id | None = None
     sync: Index | None = None
     open_ended: bool = False
+    travel_at_least_s: NonNegative = 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

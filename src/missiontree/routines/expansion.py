@@ -52,6 +52,11 @@ class Expansion:
         self.nodes.append(GroundedNode(parent=parent, kind=kind, label=label, source=source, action=action))
         return len(self.nodes) - 1
 
+    def time(self, index: int, release_s: float, deadline_s: float | None) -> None:
+        """Give a node its times."""
+        if release_s or deadline_s is not None:
+            self.nodes[index] = replace(self.nodes[index], release_s=release_s, deadline_s=deadline_s)
+
     def add_call(self, parent: int, node: MissionNode, call: Call) -> int:
         """Add a routine call below a node; the index of its XOR. Without a way the XOR stays empty: it cannot be done."""
         top = self.add(parent, "xor", node.label, node.id)
@@ -182,6 +187,7 @@ def _action(
         brings=tuple(dict.fromkeys(entities[name].id for name in step.brings)),
         finds=None if step.finds is None else entities[step.finds].id,
         open_ended=step.open_ended,
+        travel_at_least_s=working_s(capability, step.duration_s) if moves and travel.nominal else travel.certain_s,
     )
 
 

@@ -28,11 +28,17 @@ class Travel:
         Estimated time of it; None if it is not known, since a position or the type's speed is not.
     certain_m
         Length that is travelled whatever happens before the role; an approach counts 0.
+    certain_s
+        Time of that, where the type's speed is known.
+    nominal
+        Whether a move surely takes its nominal duration, since its goal or the type's speed is not known. Default false.
     """
 
     distance_m: float = 0.0
     duration_s: float | None = None
     certain_m: float = 0.0
+    certain_s: float = 0.0
+    nominal: bool = False
 
 
 @dataclass(slots=True)
@@ -104,17 +110,19 @@ class Itineraries:
     ) -> Travel | Reason:
         position, certain = target
         if position is None:
-            return Travel()
+            return Travel(nominal=certain)
         speed_mps = speed_of(robot_type, followers)
         if not robot.started:
             return self._approach(robot_type, position, certain, speed_mps)
         if robot.position is None:
-            return Travel()
+            return Travel(nominal=speed_mps is None or robot.certain)
         leg = self._model.leg(robot_type, robot.position, position, speed_mps)
         sure = certain and robot.certain
         if isinstance(leg, Blocked):
             return leg.reason if sure else Travel()
-        return Travel(leg.distance_m, _time_s(leg, speed_mps), leg.distance_m if sure else 0.0)
+        time_s = _time_s(leg, speed_mps)
+        sure_m, sure_s = (leg.distance_m, time_s or 0.0) if sure else (0.0, 0.0)
+        return Travel(leg.distance_m, time_s, sure_m, sure_s, nominal=time_s is None)
 
     def _approach(
         self, robot_type: RobotType, position: Position, certain: bool, speed_mps: float | None
@@ -125,7 +133,7 @@ class Itineraries:
             position, lambda start: self._model.leg(robot_type, start, position, speed_mps), speed_mps or 1.0
         )
         if isinstance(leg, Leg):
-            return Travel(leg.distance_m, _time_s(leg, speed_mps))
+            return Travel(leg.distance_m, _time_s(leg, speed_mps), nominal=speed_mps is None)
         return leg.reason if leg is not None and certain and all_known else Travel()
 
     def _starts_of(self, robot_type: RobotType) -> tuple[Starts, bool]:

@@ -17,12 +17,12 @@ from missiontree.estimation.travel import Blocked
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
 from missiontree.mission.position import Position
+from missiontree.mission.ticks import ticks
 from missiontree.scheduling.entries import least_entries
 from missiontree.scheduling.load import load_bound, pieces_of
 from missiontree.scheduling.places import Places, Spots
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
-from missiontree.mission.ticks import ticks
 from missiontree.scheduling.trips import Spot, Trips
 
 NEVER = 1 << 62

@@ -18,6 +18,7 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import NO_TERMS, Terms
+from missiontree.mission.ticks import seconds
 from missiontree.scheduling.alike import alike_roles
 from missiontree.scheduling.approach_budget import approaches_too_dear
 from missiontree.scheduling.bounds import lower_bounds
@@ -33,7 +34,6 @@ from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.rules import rules
 from missiontree.scheduling.serial import Run
 from missiontree.scheduling.staffing import staffing_conflicts, staffing_of
-from missiontree.mission.ticks import seconds
 from missiontree.scheduling.trips import Trips
 from missiontree.scheduling.writing import found_schedule, unknown_schedule
 

@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from missiontree.mission.fleet import Fleet
+from missiontree.mission.ticks import ticks
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
-from missiontree.mission.ticks import ticks
 
 
 def order_held_roles(graph: TaskGraph, staffing: Staffing, fleet: Fleet) -> list[int] | None:

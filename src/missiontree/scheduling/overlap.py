@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.reason import Reason
+from missiontree.mission.ticks import ticks
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
-from missiontree.mission.ticks import ticks
 
 
 def overlaps_of_one_robot(graph: TaskGraph, staffing: Staffing, fleet: Fleet) -> list[Reason]:

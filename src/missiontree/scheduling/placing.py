@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 from missiontree.estimation.travel import Blocked
 from missiontree.mission.grounded import Action
+from missiontree.mission.ticks import ticks
 from missiontree.scheduling.board import Board
 from missiontree.scheduling.casting import Casting
 from missiontree.scheduling.demand import Demands
 from missiontree.scheduling.stuck import StuckError
-from missiontree.mission.ticks import ticks
 from missiontree.scheduling.trips import Trip
 from missiontree.scheduling.world_state import RobotState
 

@@ -28,14 +28,19 @@ def rules(problem: Problem, alternative: Alternative, runs: int, seed: int) -> I
     if witness:
         yield from (Rule(crew, binding=witness) for crew in _CREWS)
     spread = max(1, problem.bounds.makespan // 4)
+    far = max((problem.bounds.makespan, *problem.graph.deadline.values()))
+    swing = far if problem.graph.deadline else spread
+    patiences = (0, spread // 4, far) if problem.graph.deadline else (0, 0, spread // 16, spread // 4)
     yield from (
         Rule(crew, patience, binding=asked) for patience in (spread // 16, spread // 4, spread) for crew in _CREWS[:2]
     )
+    if problem.graph.deadline:  # a robot that waits for what is due first
+        yield from (Rule(crew, patience=far, binding=asked) for crew in _CREWS)
     rng = random.Random(seed)  # noqa: S311 - variation, not secrecy
     for number in range(runs):
-        jitter = {activity: rng.randrange(spread) for activity in range(len(problem.graph.activities))}
+        jitter = {activity: rng.randrange(swing) for activity in range(len(problem.graph.activities))}
         binding = witness if number % 4 == 3 else asked
-        yield Rule(_CREWS[number % 3], rng.choice((0, 0, spread // 16, spread // 4)), jitter, binding)
+        yield Rule(_CREWS[number % 3], rng.choice(patiences), jitter, binding)
     for binding in islice(_bindings(problem), MAX_BINDINGS):
         yield from (Rule(crew, binding=binding) for crew in _CREWS[:2])
 

@@ -2,8 +2,9 @@
 One run of serial schedule generation (Kelley 1963; Kolisch 1996), for robots that are held in roles and travel.
 
 Of all actions that may begin, the one that can begin earliest is put at the end of its robots' timelines; of equals the one that is
-due first, by deadlines and by the way still to go; of those the first leaf. What may come next is in :mod:`missiontree.scheduling.queues`, who would do
-it in :mod:`missiontree.scheduling.casting`, and when in :mod:`missiontree.scheduling.placing`.
+due first, by deadlines and by the way still to go; of those the first leaf. What may come next is in
+:mod:`missiontree.scheduling.queues`, who would do it in :mod:`missiontree.scheduling.casting`, and when in
+:mod:`missiontree.scheduling.placing`.
 """
 
 from __future__ import annotations

@@ -7,8 +7,8 @@ from missiontree.mission.certificate import Certificate
 from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
-from missiontree.scheduling.problem import Done, Draft, Problem
 from missiontree.mission.ticks import seconds
+from missiontree.scheduling.problem import Done, Draft, Problem
 
 
 def unknown_schedule(problem: Problem, alternative: Alternative, failures: list[Reason]) -> Schedule:

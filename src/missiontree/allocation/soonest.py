@@ -1,0 +1,143 @@
+"""
+Which nodes cannot meet their deadline whatever is chosen below them, by one sweep from the leaves up.
+
+For each node two least times are kept: when it can end, and how long it is from its start to its end. At an XOR each is the minimum
+over the children; at an AND the maximum, where children that a precedence or a role puts in a row add up. Only what lies within the
+node itself counts, so nothing is refused that some selection could meet by what :mod:`lateness` knows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from missiontree.allocation.flat import Flat
+from missiontree.allocation.lateness import RULE, owner, shown
+from missiontree.allocation.timing import Timing
+from missiontree.mission.reason import Reason, Severity
+
+Row = tuple[int, int, int]
+"""Two children of an AND of which the first ends before the second starts, and the travel between that is certain."""
+
+
+@dataclass(frozen=True, slots=True)
+class TooLate:
+    """A node that ends too late, whatever is chosen below it, in ticks."""
+
+    node: int
+    end: int
+    due_to: int
+    deadline: int
+
+
+def strike_late(flat: Flat, possible: list[bool]) -> list[TooLate]:
+    """Take out of ``possible`` what cannot meet its deadline, and what then cannot be done. The answer lists children before parents."""
+    if flat.timing is None:
+        return []
+    sweep = _Sweep(flat, flat.timing, possible)
+    for node in range(len(flat.kind) - 1, -1, -1):
+        sweep.visit(node)
+    return sweep.struck
+
+
+class _Sweep:
+    """The least times of the nodes below, as far as the sweep has come."""
+
+    def __init__(self, flat: Flat, timing: Timing, possible: list[bool]) -> None:
+        self._flat, self._timing, self._possible = flat, timing, possible
+        self._end, self._length = [0] * len(flat.kind), [0] * len(flat.kind)
+        self._filled = [False] * len(flat.kind)  # something is done there, whatever is chosen
+        self._ends_with_others = _ends_with_others(flat, timing)
+        self._ordered: dict[int, list[Row]] = {}
+        for first, second in timing.precedence:
+            if flat.parent[first] == flat.parent[second]:
+                self._ordered.setdefault(flat.parent[first], []).append((first, second, 0))
+        self.struck: list[TooLate] = []
+
+    def visit(self, node: int) -> None:
+        """Take up a node, of which all children were visited."""
+        {"action": self._leaf, "xor": self._xor, "and": self._and}[self._flat.kind[node]](node)
+        window = self._timing.windows[node]
+        if self._possible[node] and window.deadline is not None and self._end[node] > window.deadline:
+            self._possible[node] = False
+            self.struck.append(TooLate(node, self._end[node], window.due_to, window.deadline))
+
+    def _leaf(self, leaf: int) -> None:
+        self._filled[leaf] = True
+        self._length[leaf] = 0 if leaf in self._ends_with_others else self._timing.length[leaf]
+        self._end[leaf] = self._timing.windows[leaf].release + self._length[leaf]
+
+    def _xor(self, node: int) -> None:
+        alive = [child for child in self._flat.children[node] if self._possible[child]]
+        self._possible[node] = bool(alive)
+        self._filled[node] = all(self._filled[child] for child in alive)
+        self._end[node] = min((self._end[child] for child in alive), default=0)
+        self._length[node] = min((self._length[child] for child in alive), default=0)
+
+    def _and(self, node: int) -> None:
+        below = self._flat.children[node]
+        self._possible[node] = all(self._possible[child] for child in below)
+        self._filled[node] = any(self._filled[child] for child in below)
+        if not self._possible[node]:
+            return
+        rows = [row for row in self._rows(node) if self._filled[row[0]] and self._filled[row[1]]]
+        end = {child: self._end[child] for child in below}
+        length = {child: self._length[child] for child in below}
+        for _ in below if rows else ():
+            if not self._lengthen(rows, end, length):
+                break
+        self._end[node] = max(end.values(), default=0)
+        self._length[node] = max(length.values(), default=0)
+
+    def _rows(self, node: int) -> Iterable[Row]:
+        rows, last = list(self._ordered.get(node, ())), dict[int, int]()
+        for child in self._flat.children[node]:
+            role = self._flat.role[child]
+            if role >= 0:
+                if role in last:
+                    rows.append((last[role], child, self._timing.lag[child]))
+                last[role] = child
+        return rows
+
+    def _lengthen(self, rows: Iterable[Row], end: dict[int, int], length: dict[int, int]) -> bool:
+        """Put every row's second behind its first; whether that changed anything."""
+        changed = False
+        for first, second, lag in rows:
+            for times in (end, length):
+                least = times[first] + lag + self._length[second]
+                if least > times[second]:
+                    times[second], changed = least, True
+        return changed
+
+
+def _ends_with_others(flat: Flat, timing: Timing) -> frozenset[int]:
+    """Leaves that an until link may let end at any time."""
+    ends = {first for first, _ in timing.until}
+    found = set()
+    for leaf in timing.open_ended if ends else ():
+        node = leaf
+        while node >= 0 and node not in ends:
+            node = flat.parent[node]
+        if node >= 0:
+            found.add(leaf)
+    return frozenset(found)
+
+
+def reasons_of_lateness(flat: Flat, struck: Iterable[TooLate], severity: Severity) -> Iterable[Reason]:
+    """The refusals nearest to the root in words, one for each node that sets a deadline."""
+    told: set[int] = set()
+    for late in reversed(list(struck)):
+        if late.due_to in told:
+            continue
+        told.add(late.due_to)
+        due = shown(late.deadline)
+        what = "it" if late.node == late.due_to else f'"{flat.label[late.node]}"'
+        yield Reason(
+            rule=RULE,
+            severity=severity,
+            message=f"{owner(flat, late.due_to)} must end by {due}, and whatever is chosen, {what} takes until {shown(late.end)} at least.",
+            node=flat.label[late.node],
+            found=f"{shown(late.end)} or later",
+            needed=f"by {due}",
+            hint="Move the deadline, or give the task a quicker way of being done.",
+        )
