@@ -179,6 +179,7 @@ def request_from(
             require=tuple(dict.fromkeys((*file.require, *require))),
             min_quality=file.min_quality if min_quality is None else min_quality,
             estimator=None if own is None else own.source,
+            deadline_s=file.deadline_s,
         )
         refuse_huge(brief.fleet, brief.routines, brief.weights)
     except ValueError as error:

@@ -14,7 +14,7 @@ from functools import cached_property, wraps
 from typing import Any, Concatenate, ParamSpec
 
 from missiontree.authoring.answer import Answer, RefusalError, refuse
-from missiontree.authoring.edits import with_children, with_entities, with_links, without
+from missiontree.authoring.edits import with_children, with_entities, with_links, with_times, without
 from missiontree.authoring.endings import impossible, unclear
 from missiontree.authoring.entities import Cast
 from missiontree.authoring.findings import findings
@@ -237,6 +237,14 @@ class TreeBuilder:
         return self._done(
             state, {"links_dropped": [[link.first, link.second, name_of_kind(link.kind)] for link in gone]}
         )
+
+    @_answering
+    def set_times(self, node: str, release_s: float = 0.0, deadline_s: float | None = None) -> Answer:
+        """Give a node these times in place of those it has."""
+        tree = self._begun()
+        found = self._node(tree, node)
+        state = replace(self.state, tree=with_times(tree, found.id, release_s, deadline_s))
+        return self._done(state, {"node": found.id, "release_s": release_s, "deadline_s": deadline_s})
 
     @_answering
     def print_tree(self) -> Answer:

@@ -111,7 +111,16 @@ class Building:
                 for piece in pieces
                 if piece.pieces and piece in self.ids
             ]
-        return self._link()
+        return self._time() or self._link()
+
+    def _time(self) -> Answer | None:
+        for piece in self.made.outline.all_pieces:
+            if piece in self.ids and (piece.release_s or piece.deadline_s is not None):
+                times = {"release_s": piece.release_s or None, "deadline_s": piece.deadline_s}
+                given = {name: time for name, time in times.items() if time is not None}
+                if not (answer := self.desk.call("setTimes", {"subtask": self.ids[piece], **given})).ok:
+                    return answer
+        return None
 
     def _introduce(self, mention: Mention) -> Answer | None:
         self.names[mention.name] = mention.name

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
+from missiontree.authoring.answer import refuse
 from missiontree.mission.entity import Entity
 from missiontree.mission.tree import Gate, Link, MissionNode, MissionTree
 
@@ -42,6 +43,23 @@ def with_links(tree: MissionTree, links: Iterable[Link]) -> MissionTree:
 def with_entities(tree: MissionTree, entities: Iterable[Entity]) -> MissionTree:
     """The tree with further entities."""
     return replace(tree, entities=(*tree.entities, *entities))
+
+
+def with_times(tree: MissionTree, node: str, release_s: float, deadline_s: float | None) -> MissionTree:
+    """
+    The tree with a node's times in place of those it has.
+
+    Raises
+    ------
+    RefusalError
+        ``times_conflict``, if the deadline lies before the release time.
+    """
+    try:
+        timed = replace(tree.by_id[node], release_s=release_s, deadline_s=deadline_s)
+    except ValueError as error:
+        hint = "Give a deadline no earlier than the release time, or leave one of them out."
+        raise refuse("times_conflict", f"{error}", node=node, hint=hint) from error
+    return replace(tree, nodes=tuple(timed if known.id == node else known for known in tree.nodes))
 
 
 def depth_of(tree: MissionTree, node: str) -> int:

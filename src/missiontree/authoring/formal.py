@@ -18,6 +18,7 @@ from missiontree.authoring.methods.method import MethodLibrary, built_in_methods
 from missiontree.authoring.methods.outline import NobodyError, Piece
 from missiontree.authoring.outcome import Authored
 from missiontree.authoring.stating import Statements
+from missiontree.authoring.timing import give_times
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.reason import Reason
 from missiontree.mission.tree import LinkKind
@@ -53,8 +54,11 @@ def author_formal(brief: MissionBrief, methods: MethodLibrary | None = None) -> 
         return desk.ended("incomplete", stated.troubles)
     links = stated.linked()
     calls = {piece: [leaf.call for leaf in piece.leaves] for link in links for piece in link[:2]}
+    timed = {piece: [leaf.call for leaf in piece.leaves] for _, pieces in stated.timed() for piece in pieces}
     made = composed(goals, brief.routines)
     _stand_in(made, links, calls)
+    if contradiction := give_times(stated.timed(), timed, made.outline):
+        return desk.ended("incomplete", (contradiction,))
     made.notices += conditional_links(brief.goals)
     return built(desk, made, [assumption for goal in goals for assumption in goal.assumptions])
 

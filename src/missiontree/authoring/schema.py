@@ -15,8 +15,11 @@ from missiontree.authoring.tools import TOOLS, TreeFunction
 from missiontree.llm.chat import Tool
 
 _BEFORE_THE_TREE = frozenset({"HierarchicalTree_init", "listRoutines", "declareImpossible", "declareUnclear"})
-_NOT_OFFERED = frozenset({"CreateAndAddSubtask", "plotTree"})
-"""Not worth their tokens at every turn: ``addMultiSubtasks`` adds one task as well, and a picture is for people. They can be called."""
+_NOT_OFFERED = frozenset({"CreateAndAddSubtask", "plotTree", "setTimes"})
+"""
+Not worth their tokens at every turn: ``addMultiSubtasks`` adds one task as well, and a picture is for people. Words that name a time
+are declined (``declareUnclear``); times come from goals that are stated formally. All of these can be called.
+"""
 Schema = dict[str, Any]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -48,6 +49,18 @@ def _flag(given: Any, name: str) -> bool:
     return given
 
 
+def _seconds(given: Any, name: str) -> float | None:
+    if given is None:
+        return None
+    if isinstance(given, bool) or not isinstance(given, int | float) or not 0 <= given < math.inf:
+        raise refuse(
+            RULE,
+            f"{name} is {kind_of_json(given)} where a number of seconds is expected.",
+            hint="Count seconds from the start of the mission; at least 0.",
+        )
+    return given
+
+
 def _each(read: Callable[[Any, str], Any], what: str) -> Callable[[Any, str], list[Any]]:
     def read_list(given: Any, name: str) -> list[Any]:
         if not isinstance(given, list):
@@ -75,6 +88,7 @@ _PAIR = {"type": "array", "items": _END, "minItems": 2, "maxItems": 3}
 
 TEXT = Shape({"type": "string"}, _text, "text")
 FLAG = Shape({"type": "boolean"}, _flag, "true or false")
+SECONDS = Shape({"type": "number", "minimum": 0}, _seconds, "number of seconds, at least 0")
 TEXTS = Shape({"type": "array", "items": {"type": "string"}, "minItems": 1}, _each(_text, "texts"), "list of texts")
 FLAGS = Shape(
     {"type": "array", "items": {"type": "boolean"}, "minItems": 1},

@@ -20,6 +20,7 @@ from missiontree.mission.brief import MissionBrief
 from missiontree.mission.goal import Goal
 from missiontree.mission.pattern import Form
 from missiontree.mission.reason import Reason
+from missiontree.mission.times import words_of_times
 from missiontree.mission.tree import LinkKind
 
 Bindings = dict[str, tuple[Mention, ...]]
@@ -92,6 +93,10 @@ class Statements:
             links += pairs
         return links
 
+    def timed(self) -> list[tuple[Goal, list[Piece]]]:
+        """Goals with times, and their pieces."""
+        return [(goal, pieces) for goal, pieces, _ in self._placed if words_of_times(goal.release_s, goal.deadline_s)]
+
     def _pieces(self, goal: Goal, place: str, outline: Outline, *, alone: bool) -> list[Piece]:
         """The pieces of a goal: a single one, unless it stands alone."""
         line = len(self.reading)
@@ -114,7 +119,8 @@ class Statements:
         except _RefusedError as refused:
             self.troubles.append(refused.reason)
             pieces, shown, by = [], f"not understood: {refused.reason.message}", ""
-        self.reading[line] = shown if shown.startswith("not understood") else f"goal {place}: {shown}{by}"
+        times = "".join(f"; {words}" for words in words_of_times(goal.release_s, goal.deadline_s))
+        self.reading[line] = shown if shown.startswith("not understood") else f"goal {place}: {shown}{by}{times}"
         if len(pieces) > 1 and not alone:
             pieces = [Piece(label, pieces=pieces)]
         self._placed.append((goal, pieces, outline))

@@ -13,7 +13,7 @@ from typing import Any
 from missiontree.authoring.answer import Answer, RefusalError, refuse
 from missiontree.authoring.builder import Draw, State, TreeBuilder
 from missiontree.authoring.matching import did_you_mean, listed, quoted
-from missiontree.authoring.shapes import CALLS, FLAG, FLAGS, GATE, KIND, PAIRS, TEXT, TEXTS, Shape
+from missiontree.authoring.shapes import CALLS, FLAG, FLAGS, GATE, KIND, PAIRS, SECONDS, TEXT, TEXTS, Shape
 from missiontree.authoring.wire import RULE, parse_arguments
 from missiontree.formats.digest import canonical
 from missiontree.mission.reason import Reason
@@ -172,6 +172,18 @@ TOOLS: tuple[TreeFunction, ...] = (
         "Take away the links from one node to another.",
         (_FIRST, _SECOND, Parameter("kind", KIND, "Only links of this kind; default all.", optional=True)),
         lambda builder, given: builder.drop_link(given["first"], given["second"], given.get("kind")),
+    ),
+    TreeFunction(
+        "setTimes",
+        "Give a node a release time and a deadline, in seconds from the mission's start; what is left out is taken away.",
+        (
+            Parameter("subtask", TEXT, "Id or name of the node."),
+            Parameter("release_s", SECONDS, "Nothing below it starts earlier.", optional=True),
+            Parameter("deadline_s", SECONDS, "All below it has ended by then.", optional=True),
+        ),
+        lambda builder, given: builder.set_times(
+            given["subtask"], given.get("release_s") or 0.0, given.get("deadline_s")
+        ),
     ),
     TreeFunction(
         "checkTree", "List what is wrong or unfinished in the tree.", (), lambda builder, given: builder.check_tree()

@@ -7,6 +7,7 @@ from typing import Any
 
 from missiontree.authoring.links import name_of_kind
 from missiontree.mission.reason import Reason
+from missiontree.mission.times import words_of_times
 from missiontree.mission.tree import MissionNode, MissionTree
 
 MOST_SHOWN = 500
@@ -21,7 +22,8 @@ def outline(tree: MissionTree) -> str:
         level |= dict.fromkeys(node.children, level[node.id] + 1)
         gate = f" [{node.gate.upper()}]" if node.gate else " [open]" if node.routine is None else ""
         only = f" only {', '.join(node.resources)}" if node.resources is not None else ""
-        lines.append(f"{'  ' * level[node.id]}- {' '.join(node.label.split())} ({node.id}){gate}{only}")
+        times = "".join(f", {word}" for word in words_of_times(node.release_s, node.deadline_s))
+        lines.append(f"{'  ' * level[node.id]}- {' '.join(node.label.split())} ({node.id}){gate}{only}{times}")
     lines += [f"{name_of_kind(link.kind)}: {link.first} -> {link.second}" for link in tree.links]
     if len(lines) > MOST_SHOWN:
         lines = [*lines[:MOST_SHOWN], f"... and {len(lines) - MOST_SHOWN} more lines"]

@@ -57,6 +57,8 @@ class MissionFile(Value):
         Quality that every action must have at least: one number for all (``0.5``), or a number by routine or capability
         (``{Search: 0.8, carry: 0.5}``), of which the highest that applies counts. At least 0, default 0. Who would do worse is not
         offered.
+    deadline_s
+        The whole mission has ended by then; seconds from its start, at least 0. None (default) means no deadline.
     """
 
     mission: str = ""
@@ -77,6 +79,7 @@ class MissionFile(Value):
     without: tuple[Id, ...] = ()
     require: tuple[Id, ...] = ()
     min_quality: NonNegative | Mapping[Id, NonNegative] = 0.0
+    deadline_s: NonNegative | None = None
 
     def _check(self) -> None:
         if not self.mission.strip() and not self.goals and self.tree is None:

@@ -5,7 +5,7 @@ would make a plan look better than it is.
 
 from __future__ import annotations
 
-DEADLINES = "deadlines and release times"
+DEADLINES = "deadlines and release times of entities and of single actions"
 WINDOWS = "time windows"
 RECHARGING = "recharging and chargers"
 SHARED = "shared resources with a capacity"
@@ -13,7 +13,8 @@ AVAILABILITY = "robots that come late, leave early or must return"
 COMMANDS = "commands to real robots and what they report back"
 GATES = "optional tasks, rewards and gates other than 'and' and 'xor'"
 
-_TIMES = {"deadline_s": DEADLINES, "release_s": DEADLINES, "windows": WINDOWS, "window": WINDOWS}
+_WINDOWS = {"windows": WINDOWS, "window": WINDOWS}
+_TIMES = {"deadline_s": DEADLINES, "release_s": DEADLINES, **_WINDOWS}
 _ROBOTS = {
     "available_from_s": AVAILABILITY,
     "available_until_s": AVAILABILITY,
@@ -39,9 +40,10 @@ FIELDS: dict[str, dict[str, str]] = {
     "RoadNode": _CAPACITY,
     "ActionStep": {**_TIMES, "command": COMMANDS, "results": COMMANDS, "resources": SHARED, "holds": SHARED},
     "Action": {**_TIMES, "command": COMMANDS, "results": COMMANDS, "resources": SHARED, "holds": SHARED},
-    "MissionNode": {**_TIMES, "k": GATES, "optional": GATES, "reward": GATES},
-    "GroundedNode": {**_TIMES, "k": GATES, "optional": GATES, "reward": GATES},
-    "MissionFile": _TIMES,
+    "MissionNode": {**_WINDOWS, "k": GATES, "optional": GATES, "reward": GATES},
+    "GroundedNode": {**_WINDOWS, "k": GATES, "optional": GATES, "reward": GATES},
+    "MissionFile": _WINDOWS,
+    "Goal": _WINDOWS,
 }
 """Class name to field to the rule it belongs to."""
 

@@ -50,6 +50,8 @@ class MissionBrief(Value):
         offered.
     estimator
         Whose the estimates are, if not the fleet's: an estimator of the user's own. Default: the fleet's table.
+    deadline_s
+        The whole mission has ended by then; seconds from its start, at least 0. None (default) means no deadline.
 
     Raises
     ------
@@ -69,6 +71,7 @@ class MissionBrief(Value):
     require: tuple[Id, ...] = ()
     min_quality: NonNegative | Mapping[Id, NonNegative] = 0.0
     estimator: EstimatorSource | None = None
+    deadline_s: NonNegative | None = None
 
     def _check(self) -> None:
         world = self.world

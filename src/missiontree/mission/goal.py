@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 
 from missiontree.mission.call import call_of
 from missiontree.mission.frozen_map import FrozenMap
+from missiontree.mission.times import check_times
 from missiontree.mission.tree import Gate
-from missiontree.mission.value import Id, Value, require_unique
+from missiontree.mission.value import Id, NonNegative, Value, require_unique
 
 _NO_NAME = frozenset("()[]{};")
 
@@ -42,6 +43,10 @@ class Goal(Value):
         Robot types that may do it; default: all.
     not_by
         Robot types that may not.
+    release_s
+        Nothing of the goal starts earlier; seconds from the mission's start, at least 0. Default 0. A robot may be on its way before.
+    deadline_s
+        All of the goal has ended by then; seconds from the mission's start, at least 0. None (default) means no deadline.
     """
 
     do: str = ""
@@ -55,9 +60,12 @@ class Goal(Value):
     until: str = ""
     by: tuple[Id, ...] | None = None
     not_by: tuple[Id, ...] = ()
+    release_s: NonNegative = 0.0
+    deadline_s: NonNegative | None = None
 
     def _check(self) -> None:
         self._freeze_slots()
+        check_times(f"the goal {self.shown!r}", self.release_s, self.deadline_s)
         if sum(map(bool, (self.do, self.method, self.task))) != 1:
             raise ValueError("a goal has one of do (a routine), method (a mission method) and task (with goals).")
         if self.do:

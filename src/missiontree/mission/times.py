@@ -66,3 +66,9 @@ def check_times(what: str, release_s: float, deadline_s: float | None) -> None:
         raise ValueError(
             f"{what} has the deadline {deadline_s:g} s, before its release time {release_s:g} s; nothing can be done in between."
         )
+
+
+def words_of_times(release_s: float, deadline_s: float | None) -> tuple[str, ...]:
+    """Times as people read them: ``from 30 s`` and ``by 120 s``; what is not given is left out."""
+    release = (f"from {release_s:g} s",) if release_s else ()
+    return (*release, f"by {deadline_s:g} s") if deadline_s is not None else release

@@ -57,6 +57,9 @@ def ground(tree: MissionTree, brief: MissionBrief, estimator: Estimator | None =
                 f"nothing in {link.first!r} goes on without an end of its own, until {link.second!r} ends or otherwise"
             )
             raise InputError(message, where="links", accepted="an until link from something open-ended, such as Follow")
+    if brief.deadline_s is not None and brief.deadline_s < tree.root.release_s:
+        message = f"the mission has the deadline {brief.deadline_s:g} s, and nothing of its tree starts before {tree.root.release_s:g} s"
+        raise InputError(message, where=tree.root.id, accepted="a release time of the root no later than the deadline")
     order = RoutineOrder(tree)
     calls = calls_of(tree, brief, world)
     if brief.terms.judged_by_estimator:
@@ -129,6 +132,9 @@ def _grounded(
             index[node.id] = expansion.add_call(parent, node, calls[node.id])
         else:
             index[node.id] = expansion.add(parent, node.gate or "and", node.label, node.id)
+        deadlines = (node.deadline_s, brief.deadline_s if parent < 0 else None)
+        due = min((deadline for deadline in deadlines if deadline is not None), default=None)
+        expansion.time(index[node.id], node.release_s, due)
     own = (GroundedLink(index[link.first], index[link.second], link.kind) for link in links)
     return GroundedTree(
         objective=tree.objective,

@@ -16,7 +16,7 @@ Bindings = Mapping[str, tuple[Mention, ...]]
 
 @dataclass(eq=False)
 class Piece:
-    """A task with pieces below it, or a routine with its arguments."""
+    """A task with pieces below it, or a routine with its arguments; with its times."""
 
     label: str
     routine: Routine | None = None
@@ -24,6 +24,8 @@ class Piece:
     pieces: list[Piece] = field(default_factory=list)
     gate: Gate = "and"
     resources: tuple[str, ...] = ()
+    release_s: float = 0.0
+    deadline_s: float | None = None
 
     @property
     def leaves(self) -> Iterator[Piece]:
