@@ -32,7 +32,7 @@ def test_before_there_is_a_tree_it_can_only_be_begun_or_declined(brief: MissionB
 
 def test_afterwards_everything_else_is_offered(box: ToolBox) -> None:
     box.call("setLink", {"first": "find", "second": "bring"})
-    left_out = {"HierarchicalTree_init", "CreateAndAddSubtask", "plotTree"}
+    left_out = {"HierarchicalTree_init", "CreateAndAddSubtask", "plotTree", "setTimes"}
     assert list(schemas(box)) == [tool.name for tool in TOOLS if tool.name not in left_out]
 
 

@@ -107,7 +107,8 @@ class Candidate(NamedTuple):
 
 def _none(flat: Flat, possibility: Possibility) -> Ranking:
     reasons = reasons_of(flat, possibility, "error") or no_robot_able(flat)
-    return impossible("least_use", "No selection stays within what there is.", reasons)
+    detail = "No selection stays within what there is" + (" and meets its deadlines." if possibility.late else ".")
+    return impossible("least_use", detail, reasons)
 
 
 def _drawn(search: Search, first: int) -> Iterator[Candidate]:

@@ -75,6 +75,16 @@ class Case:
         return self.plan.grounding.tree if self.plan.grounding is not None else None
 
     @cached_property
+    def has_times(self) -> bool:
+        """Whether anything at all has a release time or a deadline."""
+        grounded, authored = self.tree.nodes if self.tree else (), self.plan.tree.nodes if self.plan.tree else ()
+        return (
+            self.plan.brief.deadline_s is not None
+            or any(node.release_s or node.deadline_s is not None for node in grounded)
+            or any(node.release_s or node.deadline_s is not None for node in authored)
+        )
+
+    @cached_property
     def clash(self) -> str:
         """Why the entities of the tree do not fit into the scene; empty if they do."""
         try:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from missiontree.checking.case import Case
 from missiontree.checking.ranking import choice_key, utility_of
+from missiontree.checking.soonest import too_late
 from missiontree.checking.staff_search import can_be_staffed
 from missiontree.checking.staffing import Staffing
 from missiontree.mission.alternative import Alternative, Choice
@@ -39,7 +40,7 @@ def selections(tree: GroundedTree) -> list[Choices] | None:
 
 def best_first(case: Case) -> Iterator[Staffing | None]:
     """
-    Every alternative that robots can fill, best first: by utility, then by choice indices in preorder.
+    Every alternative that robots can fill and that can meet its deadlines, best first: by utility, then by choice indices in preorder.
 
     None comes in place of one of which it cannot be told whether robots can fill it, or of all where there are too many.
     """
@@ -54,6 +55,8 @@ def best_first(case: Case) -> Iterator[Staffing | None]:
     for staffing in staffings:
         known = all(type_id in case.fleet.by_id for type_id in staffing.type_of_role.values())
         fits = can_be_staffed(staffing, case) if known else None
+        if known and too_late(case, staffing) is not None:
+            continue
         if fits is not False:
             yield staffing if fits else None
 

@@ -2,9 +2,9 @@
 A bound of the checker's own: no schedule of an alternative can be shorter, by design alone and by the checker's own distances.
 
 Two plain arguments. *Critical path*: actions of a role, of a precedence and of an until link follow each other, with the travel
-that is certain between them, and none starts before the nearest robot of its type can be there. *Load*: robots take one role at a
-time, so the roles of a type fill at least their sum shared among its robots, after the earliest start and before the least that
-must still follow.
+that is certain between them, and none starts before its release time, or before the nearest robot of its type can be there. *Load*:
+robots take one role at a time, so the roles of a type fill at least their sum shared among its robots, after the earliest start and
+before the least that must still follow.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from missiontree.checking.clock import ticks_needed
 from missiontree.checking.haunts import Haunts
 from missiontree.checking.journeys import Spot
 from missiontree.checking.timetable import Timetable
+from missiontree.checking.windows import windows
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.grounded import Action
 
@@ -87,6 +88,8 @@ class _Bound:
             self._add(self._start(leaf), self._end(leaf), self._length[self._group[leaf]])
             there = self._end(leaf) if action.moves else self._start(leaf)
             self._release[there] = max(self._release.get(there, 0), self._arrival(action, leaf) + self._standing(leaf))
+        for leaf, window in windows(self._case, self._staffing).items():
+            self._release[self._start(leaf)] = max(self._release.get(self._start(leaf), 0), window.release)
         for later, earlier in self._before.items():
             weight = 0 if self._actions[later].moves else self._wait[later]
             self._add(self._end(earlier), self._start(later), weight)

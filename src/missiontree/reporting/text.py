@@ -84,7 +84,9 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
         yield from _titled("Without a schedule", list(_unscheduled(plan)))
         best = best_scheduled(plan)
         if best is not None:
-            title = f"Schedule of alternative {best.rank}: {_length(best.makespan_s)}, {_known(best)}"
+            deadline_s = plan.grounding.tree.nodes[0].deadline_s
+            due = "" if deadline_s is None else f" (due by {deadline_s:g} s)"
+            title = f"Schedule of alternative {best.rank}: {_length(best.makespan_s)}{due}, {_known(best)}"
             yield from _titled(title, [timeline(best, plan)])
     not_offered = plan.grounding.not_offered if plan.grounding else ()
     told = frozenset(plan.reasons)

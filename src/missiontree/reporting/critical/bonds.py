@@ -15,7 +15,9 @@ from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
 from missiontree.reporting.critical.spans import Spans, ms
 
-Bond = Literal["start", "role", "travel", "robot", "order", "entity", "partner", "until", "under_way", "unexplained"]
+Bond = Literal[
+    "start", "role", "travel", "robot", "order", "entity", "partner", "until", "under_way", "release", "unexplained"
+]
 Passing = Literal["", "action", "travel", "under_way"]
 
 
@@ -91,6 +93,11 @@ class Bonds:
         else:
             yield from self._causes_of_start(event)
             yield from (Cause("partner", Event("start", mate)) for mate in self.joint(event.leaf) if mate != event.leaf)
+
+    def released(self, event: Event) -> bool:
+        """Whether an action starts at its release time, or at that of its joint work."""
+        releases = (self.tree.windows[mate].release for mate in self.joint(event.leaf))
+        return event.kind == "start" and max(releases) == self.time(event) > 0
 
     def joint(self, leaf: int) -> list[int]:
         """Actions that start and end together with one, itself included."""

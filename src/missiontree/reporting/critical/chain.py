@@ -29,7 +29,7 @@ class Step:
     kind
         ``action``: a whole action. ``travel``: the way to one. ``until``: an open-ended action ends because the step before does;
         takes no time. ``under_way``: the millisecond that an open-ended action must be under way before the step before may
-        end. ``wait``: nothing in the schedule says why it is waited.
+        end. ``wait``: it is waited for a release time, or nothing in the schedule says why.
     leaf
         The action, or the one travelled to or waited for.
     robot
@@ -39,7 +39,7 @@ class Step:
     bond
         Why it does not start earlier: ``start`` of the mission; the step before it is what its ``role`` or its ``robot`` does
         before, the ``travel`` there, an action that comes first by ``order``, one that brings or needs the same ``entity``, one
-        that its joint ``partner`` waits for, or what it lasts ``until``; or ``unexplained``.
+        that its joint ``partner`` waits for, or what it lasts ``until``; or its ``release`` time; or ``unexplained``.
     """
 
     kind: StepKind
@@ -110,8 +110,12 @@ class _Walk:
         return path[::-1], furthest
 
     def _gap(self, event: Event) -> Event | None:
-        """A wait that nothing explains, down to the last cause before it; where that leads, None if there is none."""
+        """A wait that nothing explains, down to the last cause before it; where that leads, None if there is none, or a release time."""
         bonds, time = self._bonds, self._bonds.time(event)
+        if bonds.released(event):
+            self._bind("release")
+            self._put("wait", event.leaf, 0, time)
+            return None
         past = [cause for cause in bonds.causes(event) if bonds.time(cause.event) + cause.lag < time]
         cause = max(past, key=lambda cause: bonds.time(cause.event) + cause.lag, default=None)
         since = 0 if cause is None else bonds.time(cause.event) + cause.lag

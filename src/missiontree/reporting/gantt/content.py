@@ -34,9 +34,16 @@ class Stretch(NamedTuple):
     lit: bool = False
 
 
+class Due(NamedTuple):
+    """A deadline that something in a row has, with what it is of."""
+
+    time_s: float
+    title: str
+
+
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One robot: its name, its type, how it looks, and what it does, each list in order of time."""
+    """One robot: its name, its type, how it looks, what it does, and its deadlines, each list in order of time."""
 
     robot: str
     kind: str
@@ -45,6 +52,7 @@ class Row:
     ways: Sequence[Stretch]
     waits: Sequence[Stretch]
     roles: Sequence[Stretch]
+    dues: Sequence[Due] = ()
 
 
 class Order(NamedTuple):
@@ -86,6 +94,8 @@ class Content:
         Precedence between robots, and where the chain goes from robot to robot.
     joint
         Actions that start and end together.
+    deadline_s
+        By when the mission must have ended; None (default) means no deadline.
     """
 
     rows: Sequence[Row]
@@ -94,3 +104,4 @@ class Content:
     chain: Sequence[Step]
     orders: Sequence[Order]
     joint: Sequence[Sequence[int]]
+    deadline_s: float | None = None

@@ -10,7 +10,7 @@ from missiontree.reporting.gantt.content import Bar, Content, Row
 from missiontree.reporting.gantt.layout import BOLD, MARGIN
 from missiontree.reporting.gantt.links import WASH
 from missiontree.reporting.gantt.time import span
-from missiontree.reporting.palette import BLUE, HAIR, INK, MUTED, VIOLET
+from missiontree.reporting.palette import BLUE, HAIR, INK, MUTED, RED, VIOLET
 from missiontree.reporting.svg_numbers import n
 from missiontree.reporting.svg_page import text
 from missiontree.reporting.text_box import text_width, wrapped
@@ -109,6 +109,8 @@ def _signs(content: Content, rows: Sequence[Row], prefix: str, *, arrows: bool) 
         yield f'<path class="mt-line" d="M2 8 H29" fill="none" {dots}/>', "waiting"
     if arrows:
         yield _arrow(BLUE, 1.4, "mt-link"), "comes first"
+    if any(due.time_s <= content.makespan_s for row in rows for due in row.dues):
+        yield _DUE, "a deadline of something in the row"
     if content.joint:
         yield _JOINT, "done together"
     if content.chain:
@@ -119,6 +121,10 @@ _JOINT = (
     f'<rect class="mt-joint mt-fill" x="4" y="1" width="22" height="14" fill="{VIOLET}" fill-opacity="{WASH}"/>'
     f'<path class="mt-joint mt-line" d="M5 1 V15 M25 1 V15" fill="none" stroke="{VIOLET}" stroke-width="2" '
     'stroke-dasharray="5 2"/>'
+)
+_DUE = (
+    f'<path class="mt-line" d="M18 1 V15" fill="none" stroke="{RED}" stroke-width="1.6"/>'
+    f'<path class="mt-fill" d="M18 1 l-7 3.5 l7 3.5 Z" fill="{RED}"/>'
 )
 _OUTLINE = (
     '<rect class="mt-critical mt-line" x="2" y="3" width="26" height="11" rx="2" fill="none" '

@@ -10,6 +10,7 @@ from missiontree.mission.schedule import Schedule
 from missiontree.reporting.gantt import axis
 from missiontree.reporting.gantt.bars import bands, stripe_lines, strokes, words_of
 from missiontree.reporting.gantt.content import Bar, Content, Row
+from missiontree.reporting.gantt.dues import flags
 from missiontree.reporting.gantt.labels import Word
 from missiontree.reporting.gantt.layout import BOLD, MARGIN, Density, Place, Scale, places
 from missiontree.reporting.gantt.legend import idle_words, legend, notes, remarks, rule
@@ -61,7 +62,7 @@ class Chart:
     def lines(self) -> Iterator[str]:
         """The picture, line by line."""
         title = wrapped(mission_of(self.plan), TITLE * BOLD, self.width - 2 * MARGIN, 3)
-        known = wrapped(summary(self.plan, self.schedule, self.content.makespan_s), UNDER, self.width - 2 * MARGIN, 2)
+        known = wrapped(summary(self.plan, self.schedule, self.content), UNDER, self.width - 2 * MARGIN, 2)
         head_bottom = MARGIN + 20.0 * len(title) + 16.0 * len(known) + 4.0
         top = head_bottom + axis.HEIGHT
         under = [any(word.spot in {"tag", "way", "aside"} for word in words) for words in self.words]
@@ -95,6 +96,7 @@ class Chart:
         for row, words, where in zip(self.rows, self.words, stand, strict=True):
             yield f'<g class="mt-row mt-hue-{row.livery.number}">'
             yield from strokes(row, self.scale, where, self.prefix)
+            yield from flags(row, self.scale, where)
             yield from words_of(words, row, where)
             yield from self._name(row, where)
             yield "</g>"

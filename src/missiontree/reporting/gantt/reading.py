@@ -14,6 +14,7 @@ from missiontree.reporting.critical.chain import Step, critical_chain
 from missiontree.reporting.critical.spans import ms
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.gantt.content import Bar, Content, Order, Row, Stretch
+from missiontree.reporting.gantt.dues import dues_of, times_of
 from missiontree.reporting.gantt.time import exact
 from missiontree.reporting.gantt.waits import why_waited
 from missiontree.reporting.palette import Livery, liveries
@@ -41,7 +42,13 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
     idle = [robot for robot in looks if robot not in own]
     joint = sorted({tuple(bonds.joint(leaf)) for leaf in bonds.at if len(bonds.joint(leaf)) > 1})
     return Content(
-        rows, idle, max(one.end_s for one in schedule.actions), chain, list(_orders(tree, bonds, chain)), joint
+        rows,
+        idle,
+        max(one.end_s for one in schedule.actions),
+        chain,
+        list(_orders(tree, bonds, chain)),
+        joint,
+        tree.nodes[0].deadline_s,
     )
 
 
@@ -65,7 +72,8 @@ class _Robot:
             for one in self.done
             if (leg := self.bonds.legs.get(one.leaf)) is not None and leg.robot == robot
         ]
-        return Row(robot, kind, livery, bars, ways, list(self._waits()), self._roles())
+        dues = dues_of(self.tree, [one.leaf for one in self.done])
+        return Row(robot, kind, livery, bars, ways, list(self._waits()), self._roles(), dues)
 
     def _bar(self, one: ScheduledAction, lit: bool) -> Bar:
         action = self.tree.action(one.leaf)
@@ -77,6 +85,7 @@ class _Robot:
             f"{one.robot}, {exact(one.start_s)} to {exact(one.end_s)} ({exact(one.end_s - one.start_s)})",
             f"part of {one_line(self.tree.roles[action.role].label)}",
         ]
+        lines += times_of(self.tree, one.leaf)
         if action.moves and leg is not None:
             lines.append(_distance(leg))
         return Bar(one.leaf, one.start_s, one.end_s, text, way, action.moves, lit, "\n".join(lines))

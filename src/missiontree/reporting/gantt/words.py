@@ -25,12 +25,15 @@ def mission_of(plan: Plan) -> str:
     return one_line(plan.tree.objective if plan.tree is not None else plan.brief.text).rstrip(".") or "Mission"
 
 
-def summary(plan: Plan, schedule: Schedule, makespan_s: float) -> str:
+def summary(plan: Plan, schedule: Schedule, content: Content) -> str:
     """Alternative, length, and what is known of it, in a line."""
     parts = [f"Alternative {schedule.rank}"]
     alternatives = plan.ranking.alternatives if plan.ranking is not None else ()
     parts += [f"utility {one.utility:g}" for one in alternatives if one.rank == schedule.rank]
+    makespan_s, deadline_s = content.makespan_s, content.deadline_s
     parts.append(f"done after {in_words(makespan_s)}")
+    if deadline_s is not None:
+        parts.append(f"due by {in_words(deadline_s)}")
     method, bound = schedule.certificate.method.replace("_", " "), schedule.certificate.bound
     if schedule.status == "optimal":
         parts.append(f"no schedule is shorter, proven by {method}")

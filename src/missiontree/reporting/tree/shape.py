@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.times import words_of_times
 from missiontree.mission.tree import Gate, LinkKind, MissionNode, MissionTree
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.palette import Livery
@@ -157,9 +158,10 @@ def _authored(tree: MissionTree, names: Names) -> Shape:
 
 
 def _authored_node(node: MissionNode, names: Names) -> ShapeNode:
-    label = one_line(node.label)
+    label, times = one_line(node.label), words_of_times(node.release_s, node.deadline_s)
     if node.routine is None:
-        return ShapeNode(node.id, label, "" if node.children else "no routine yet", "task", node.gate)
+        note = ", ".join(times) if node.children else "no routine yet"
+        return ShapeNode(node.id, label, note, "task", node.gate)
     arguments = node.arguments.values()
     call = f"{node.routine}({', '.join(arguments)})"
     called = f"{node.routine}({', '.join(names.entities.get(name, name) for name in arguments)})"
@@ -167,7 +169,7 @@ def _authored_node(node: MissionNode, names: Names) -> ShapeNode:
     notes = [] if folded_name(label) in {folded_name(call), folded_name(called)} else [call]
     if node.resources is not None:
         notes.append(f"only {_listed([one_line(names.robot_types.get(name, name)) for name in node.resources])}")
-    return ShapeNode(node.id, label, ", ".join(notes), "routine", None)
+    return ShapeNode(node.id, label, ", ".join((*notes, *times)), "routine", None)
 
 
 def folded_name(call: str) -> str:
@@ -183,14 +185,16 @@ def _grounded(tree: GroundedTree) -> Shape:
     nodes = []
     for index, node in enumerate(tree.nodes):
         label, below = one_line(node.label), tree.children[index]
+        times = words_of_times(node.release_s, node.deadline_s)
         if node.action is not None:
-            note = "" if node.action.sync is None else f"joint work {node.action.sync + 1}"
+            joint = () if node.action.sync is None else (f"joint work {node.action.sync + 1}",)
+            note = ", ".join((*joint, *times))
             nodes.append(ShapeNode(f"#{index}", label, note, "action", None, node.action.role))
         elif node.kind == "xor" and not below:
             nodes.append(ShapeNode(f"#{index}", label, "nobody can do it", "impossible", None))
         else:
             gate: Gate = "xor" if node.kind == "xor" else "and"
-            nodes.append(ShapeNode(f"#{index}", label, "", "task", gate if below else None))
+            nodes.append(ShapeNode(f"#{index}", label, ", ".join(times), "task", gate if below else None))
     links = tuple((link.first, link.second, link.kind) for link in tree.links)
     return Shape(tuple(nodes), tree.children, links, tuple(_routine_roots(tree)))
 

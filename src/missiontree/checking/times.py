@@ -1,0 +1,56 @@
+"""Does nothing start before its release time or end after its deadline, and can every alternative meet its deadlines at all?"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from missiontree.checking.case import Case
+from missiontree.checking.clock import TOLERANCE, shown
+from missiontree.checking.fault import Fault, named
+from missiontree.checking.soonest import too_late
+from missiontree.checking.windows import windows
+
+
+def release_broken(case: Case) -> Iterator[Fault]:
+    """An action starts before the release time of its node, or of a node above it."""
+    for timetable in case.timetables:
+        for leaf, window in windows(case, timetable.staffing).items():
+            deed = timetable.deeds.get(leaf)
+            if deed is not None and deed.start < window.release - TOLERANCE:
+                yield Fault(
+                    f"schedule {timetable.schedule.rank}: {named(timetable.tree, leaf)} starts at {shown(deed.start)}; "
+                    f"{window.released_by} may not start before {shown(window.release)}.",
+                    node=named(timetable.tree, leaf),
+                    robot=deed.robot,
+                    found=shown(deed.start),
+                    needed=f"at least {shown(window.release)}",
+                )
+
+
+def deadline_missed(case: Case) -> Iterator[Fault]:
+    """An action ends after the deadline of its node, of a node above it, or of the mission."""
+    for timetable in case.timetables:
+        for leaf, window in windows(case, timetable.staffing).items():
+            deed = timetable.deeds.get(leaf)
+            if deed is not None and window.deadline is not None and deed.end > window.deadline + TOLERANCE:
+                yield Fault(
+                    f"schedule {timetable.schedule.rank}: {named(timetable.tree, leaf)} ends at {shown(deed.end)}; "
+                    f"{window.due_to} must have ended by {shown(window.deadline)}.",
+                    node=named(timetable.tree, leaf),
+                    robot=deed.robot,
+                    found=shown(deed.end),
+                    needed=f"at most {shown(window.deadline)}",
+                )
+
+
+def alternative_late(case: Case) -> Iterator[Fault]:
+    """An alternative cannot meet a deadline, however fast its actions follow each other."""
+    for staffing in case.staffings:
+        late = too_late(case, staffing)
+        if late is not None:
+            yield Fault(
+                f"alternative {staffing.alternative.rank} cannot end {named(staffing.tree, late.leaf)} by "
+                f"{shown(late.deadline)}: what comes before it takes longer.",
+                node=named(staffing.tree, late.leaf),
+                needed=f"an end by {shown(late.deadline)}",
+            )
