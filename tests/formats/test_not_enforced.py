@@ -28,7 +28,7 @@ PLANNED = [
         "roads.lifts[0].capacity",
         "shared resources",
     ),
-    ("tree", "objective: x\nnodes:\n- {id: a, label: a, deadline_s: 5}\n", 3, "nodes[0].deadline_s", "deadlines"),
+    ("tree", "objective: x\nnodes:\n- {id: a, label: a, windows: 5}\n", 3, "nodes[0].windows", "windows"),
     (
         "tree",
         "objective: x\nnodes:\n- {id: a, label: a, gate: k_of_n, children: [b]}\n",
@@ -36,7 +36,7 @@ PLANNED = [
         "nodes[0].gate",
         "gates other than",
     ),
-    ("mission", "mission: Go\ndeadline_s: 60\n", 2, "deadline_s", "deadlines"),
+    ("mission", "mission: Go\nwindow: 60\n", 2, "window", "windows"),
 ]
 
 

@@ -8,7 +8,7 @@ node itself counts, so nothing is refused that some selection could meet by what
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from missiontree.allocation.flat import Flat
@@ -43,9 +43,10 @@ def strike_late(flat: Flat, possible: list[bool]) -> list[TooLate]:
 class _Sweep:
     """The least times of the nodes below, as far as the sweep has come."""
 
-    def __init__(self, flat: Flat, timing: Timing, possible: list[bool]) -> None:
+    def __init__(self, flat: Flat, timing: Timing, possible: list[bool], strikes: bool = True) -> None:
         self._flat, self._timing, self._possible = flat, timing, possible
-        self._end, self._length = [0] * len(flat.kind), [0] * len(flat.kind)
+        self.end, self._length = [0] * len(flat.kind), [0] * len(flat.kind)
+        self._strikes = strikes
         self._filled = [False] * len(flat.kind)  # something is done there, whatever is chosen
         self._ends_with_others = _ends_with_others(flat, timing)
         self._ordered: dict[int, list[Row]] = {}
@@ -58,20 +59,22 @@ class _Sweep:
         """Take up a node, of which all children were visited."""
         {"action": self._leaf, "xor": self._xor, "and": self._and}[self._flat.kind[node]](node)
         window = self._timing.windows[node]
-        if self._possible[node] and window.deadline is not None and self._end[node] > window.deadline:
+        late = window.deadline is not None and self.end[node] > window.deadline
+        if self._strikes and self._possible[node] and late:
+            assert window.deadline is not None
             self._possible[node] = False
-            self.struck.append(TooLate(node, self._end[node], window.due_to, window.deadline))
+            self.struck.append(TooLate(node, self.end[node], window.due_to, window.deadline))
 
     def _leaf(self, leaf: int) -> None:
         self._filled[leaf] = True
         self._length[leaf] = 0 if leaf in self._ends_with_others else self._timing.length[leaf]
-        self._end[leaf] = self._timing.windows[leaf].release + self._length[leaf]
+        self.end[leaf] = self._timing.windows[leaf].release + self._length[leaf]
 
     def _xor(self, node: int) -> None:
         alive = [child for child in self._flat.children[node] if self._possible[child]]
         self._possible[node] = bool(alive)
         self._filled[node] = all(self._filled[child] for child in alive)
-        self._end[node] = min((self._end[child] for child in alive), default=0)
+        self.end[node] = min((self.end[child] for child in alive), default=0)
         self._length[node] = min((self._length[child] for child in alive), default=0)
 
     def _and(self, node: int) -> None:
@@ -81,12 +84,12 @@ class _Sweep:
         if not self._possible[node]:
             return
         rows = [row for row in self._rows(node) if self._filled[row[0]] and self._filled[row[1]]]
-        end = {child: self._end[child] for child in below}
+        end = {child: self.end[child] for child in below}
         length = {child: self._length[child] for child in below}
         for _ in below if rows else ():
             if not self._lengthen(rows, end, length):
                 break
-        self._end[node] = max(end.values(), default=0)
+        self.end[node] = max(end.values(), default=0)
         self._length[node] = max(length.values(), default=0)
 
     def _rows(self, node: int) -> Iterable[Row]:
@@ -123,21 +126,35 @@ def _ends_with_others(flat: Flat, timing: Timing) -> frozenset[int]:
     return frozenset(found)
 
 
-def reasons_of_lateness(flat: Flat, struck: Iterable[TooLate], severity: Severity) -> Iterable[Reason]:
-    """The refusals nearest to the root in words, one for each node that sets a deadline."""
+def reasons_of_lateness(flat: Flat, struck: Sequence[TooLate], severity: Severity) -> Iterator[Reason]:
+    """The refusals in words: for each node that sets a deadline, what it takes at least; if only some ways are too long, one of them."""
+    if flat.timing is None or not struck:
+        return
+    free = _Sweep(flat, flat.timing, [True] * len(flat.kind), strikes=False)
+    for node in range(len(flat.kind) - 1, -1, -1):
+        free.visit(node)
     told: set[int] = set()
-    for late in reversed(list(struck)):
+    for late in reversed(struck):
         if late.due_to in told:
             continue
         told.add(late.due_to)
-        due = shown(late.deadline)
-        what = "it" if late.node == late.due_to else f'"{flat.label[late.node]}"'
+        due, end = shown(late.deadline), free.end[late.due_to]
+        which = "whatever is chosen, it"
+        if end <= late.deadline:
+            end, which = late.end, f'"{_way(flat, late.node)}"'
         yield Reason(
             rule=RULE,
             severity=severity,
-            message=f"{owner(flat, late.due_to)} must end by {due}, and whatever is chosen, {what} takes until {shown(late.end)} at least.",
-            node=flat.label[late.node],
-            found=f"{shown(late.end)} or later",
+            message=f"{owner(flat, late.due_to)} must end by {due}, and {which} takes until {shown(end)} at least.",
+            node=flat.label[late.due_to],
+            found=f"{shown(end)} or later",
             needed=f"by {due}",
             hint="Move the deadline, or give the task a quicker way of being done.",
         )
+
+
+def _way(flat: Flat, node: int) -> str:
+    """What people call the choice that a node belongs to."""
+    while flat.parent[node] >= 0 and flat.kind[flat.parent[node]] != "xor":
+        node = flat.parent[node]
+    return flat.label[node]

@@ -1,0 +1,39 @@
+"""The files that how-to pages show print what the pages say."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+HOW_TO = Path(__file__).parents[2] / "docs/how-to"
+PAGES = {name: (HOW_TO / name).read_text(encoding="utf-8") for name in ("limit-a-team.md", "set-times.md")}
+FILES = {
+    name: dict(re.findall(r"<!-- example: (\w+) -->\n```yaml\n(.*?)```", page, re.DOTALL)) for name, page in PAGES.items()
+}
+SHOWN = [
+    (name, *shown)
+    for name, page in PAGES.items()
+    for shown in re.findall(r"<!-- shows(?:: ([^\n]*) => ([^\n]*))? -->\n```text\n(.*?)```", page, re.DOTALL)
+]
+
+
+@pytest.mark.parametrize(("page", "was", "becomes", "shown"), SHOWN, ids=[f"{one[0]}-{one[1]}" for one in SHOWN])
+def test_the_page_shows_what_is_printed(page: str, was: str, becomes: str, shown: str, tmp_path: Path) -> None:
+    texts = dict(FILES[page])
+    if was:
+        (changed,) = (name for name, text in texts.items() if was in text)
+        texts[changed] = texts[changed].replace(was, becomes)
+    for name, text in texts.items():
+        (tmp_path / f"{name}.yaml").write_text(text, encoding="utf-8")
+    command = [sys.executable, "-m", "missiontree", "plan", "mission.yaml"]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, encoding="utf-8", check=False)
+    assert shown in done.stdout
+
+
+def test_the_pages_show_something() -> None:
+    assert {name: len(files) for name, files in FILES.items()} == {"limit-a-team.md": 4, "set-times.md": 3}
+    assert [sum(one[0] == name for one in SHOWN) for name in PAGES] == [3, 3]
