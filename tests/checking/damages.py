@@ -12,7 +12,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
-from missiontree.mission.alternative import Alternative, Assignment, Choice, RoleType
+from missiontree.mission.alternative import Alternative, Assignment, Choice, RoleType, selected_leaves
 from missiontree.mission.area import Zone
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.entity import Entity
@@ -530,6 +530,55 @@ def fewer_in_use(plan: Plan) -> Iterator[Plan]:
         for kind in plan.brief.fleet.types:
             if sum(robot.id in busy for robot in kind.members) > 1:
                 yield with_kind(plan, kind.id, max_in_use=1)
+
+
+@breaks("release_broken")
+def started_too_early(plan: Plan) -> Iterator[Plan]:
+    assert plan.grounding is not None
+    windows = plan.grounding.tree.windows
+    for place, schedule in schedules(plan):
+        for at, done in enumerate(schedule.actions):
+            if release := windows[done.leaf].release:
+                early = replace(done, start_s=release / 1000 - 0.002)
+                actions = (*schedule.actions[:at], early, *schedule.actions[at + 1 :])
+                yield with_schedule(plan, place, actions=actions)
+
+
+@breaks("release_broken")
+def released_later(plan: Plan) -> Iterator[Plan]:
+    """The mission tree says so, and grounding has lost it."""
+    for place, node in enumerate(plan.tree.nodes if plan.tree is not None else ()):
+        if any(schedule.makespan_s for _, schedule in schedules(plan)):
+            yield with_nodes(plan, place, replace(node, release_s=1e6, deadline_s=None))
+
+
+@breaks("deadline_missed")
+def due_earlier(plan: Plan) -> Iterator[Plan]:
+    for _, schedule in schedules(plan):
+        if schedule.makespan_s > 1:
+            yield replace(plan, brief=replace(plan.brief, deadline_s=schedule.makespan_s - 0.002))
+
+
+@breaks("deadline_missed")
+def nodes_due_earlier(plan: Plan) -> Iterator[Plan]:
+    assert plan.grounding is not None
+    nodes = plan.grounding.tree.nodes
+    for _, schedule in schedules(plan):
+        for done in schedule.actions:
+            if done.end_s > 1:
+                due = replace(nodes[done.leaf], release_s=0.0, deadline_s=done.end_s - 0.002)
+                yield with_grounded(plan, nodes=(*nodes[: done.leaf], due, *nodes[done.leaf + 1 :]))
+
+
+@breaks("alternative_late")
+def due_at_once(plan: Plan) -> Iterator[Plan]:
+    """Whatever the alternative, some work of it takes time."""
+    if plan.ranking is not None and plan.ranking.alternatives and plan.grounding is not None:
+        tree = plan.grounding.tree
+        for alternative in plan.ranking.alternatives:
+            works = (tree.action(leaf) for leaf in selected_leaves(tree, alternative.choices))
+            if any(action.duration_s > 0 and not action.moves and not action.open_ended for action in works):
+                yield replace(plan, brief=replace(plan.brief, deadline_s=0.0))
 
 
 @breaks("kind_refused")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 from missiontree.allocation import ALLOCATORS
@@ -402,6 +403,20 @@ def bounded() -> Plan:
     return made(tree, brief)
 
 
+@cache
+def hurried() -> Plan:
+    """The paper's first mission by the clock: found by 80 s, reunited from 90 s to 300 s, all over by 400 s."""
+    tree = reunite_tree()
+    found, united = (node.id for node in tree.nodes if node.routine)
+    times = {found: (0.0, 80.0), united: (90.0, 300.0)}
+    nodes = (
+        replace(node, release_s=times[node.id][0], deadline_s=times[node.id][1]) if node.id in times else node
+        for node in tree.nodes
+    )
+    tree = replace(tree, nodes=tuple(nodes))
+    return made(tree, brief_of(tree, deadline_s=400.0))
+
+
 def _healer(ability: str, uses: dict[str, float]) -> RoleSpec:
     step = ActionStep(name=ability, text="See to {agent}", duration_s=20.0, at="agent", uses=uses)
     return RoleSpec(name=ability, rating=ability, actions=(step,))
@@ -453,4 +468,5 @@ PLANS = {
     "told": told,
     "bounded": bounded,
     "learned": learned,
+    "hurried": hurried,
 }

@@ -12,7 +12,8 @@ import pytest
 HOW_TO = Path(__file__).parents[2] / "docs/how-to"
 PAGES = {name: (HOW_TO / name).read_text(encoding="utf-8") for name in ("limit-a-team.md", "set-times.md")}
 FILES = {
-    name: dict(re.findall(r"<!-- example: (\w+) -->\n```yaml\n(.*?)```", page, re.DOTALL)) for name, page in PAGES.items()
+    name: dict(re.findall(r"<!-- example: (\w+) -->\n```yaml\n(.*?)```", page, re.DOTALL))
+    for name, page in PAGES.items()
 }
 SHOWN = [
     (name, *shown)
