@@ -260,3 +260,29 @@ def test_a_single_way_is_proven_shortest() -> None:
     scene = Scene(places=(Entity(id="hut", position=Position(20, 0)),))
     made = plan("Go to the hut", fleet=fleet, scene=scene)
     assert (made.schedules[0].makespan_s, made.schedules[0].status) == (15.0, "optimal")
+
+
+def test_times_of_a_mission_file_go_through_the_whole_road(tmp_path: Path) -> None:
+    """By the paper's routines a search takes 5 + 60 + 2 s: with 67 s it is in time, with 66.999 s it is not, and says so."""
+    text = "mission: Find the keys\ngoals:\n- {do: Search(keys), deadline_s: 67, release_s: 0}\ndeadline_s: 100\n"
+    file = tmp_path / "mission.yaml"
+    file.write_text(text, encoding="utf-8")
+    made = plan(file)
+    assert made.outcome == "delivered"
+    assert made.grounding is not None
+    assert [node.deadline_s for node in made.grounding.tree.nodes if node.deadline_s is not None] == [100, 67]
+    assert all(schedule.makespan_s == 67 for schedule in made.schedules)
+    file.write_text(text.replace("67", "66.999"), encoding="utf-8")
+    late = plan(file)
+    assert late.outcome == "cannot_be_done"
+    assert late.reasons[0].rule == "deadline_missed"
+    file.write_text(text.replace("deadline_s: 100", "deadline_s: 60"), encoding="utf-8")
+    assert plan(file).reasons[0].message.startswith("The mission must end by 60 s")
+
+
+def test_the_deadline_of_a_mission_holds_for_words_too(tmp_path: Path) -> None:
+    file = tmp_path / "mission.yaml"
+    file.write_text("mission: Reunite mom with her lost child\ndeadline_s: 300\n", encoding="utf-8")
+    assert plan(file).outcome == "delivered"
+    file.write_text("mission: Reunite mom with her lost child\ndeadline_s: 90\n", encoding="utf-8")
+    assert (plan(file).outcome, plan(file).reasons[0].rule) == ("cannot_be_done", "deadline_missed")

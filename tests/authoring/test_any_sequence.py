@@ -119,6 +119,10 @@ class AnySequence(RuleBasedStateMachine):
     def link(self, function: str, first: str, second: str, kind: str) -> None:
         self.call(function, {"first": first, "second": second, "kind": kind})
 
+    @rule(name=NAMES, release=st.sampled_from([0, 1, 5.5, -1, "x"]), deadline=st.sampled_from([None, 0, 3, 9.25, True]))
+    def times(self, name: str, release: object, deadline: object) -> None:
+        self.call("setTimes", {"subtask": name, "release_s": release, "deadline_s": deadline})
+
     @rule(function=st.sampled_from(["printTree", "plotTree", "checkTree", "listRoutines"]))
     def look(self, function: str) -> None:
         self.call(function, "")

@@ -455,6 +455,29 @@ class TestLinks:
         assert dropped.data["links_dropped"] == [["find", "bring", "Precedence"]]
         assert tree_of(box).links == (Link("find", "bring", "same_robot"),)
 
+    def test_times_are_set_and_taken_away(self, box: ToolBox) -> None:
+        answer = box.call("setTimes", {"subtask": "Find", "release_s": 5, "deadline_s": 60.5})
+        assert (answer.data["node"], answer.data["release_s"], answer.data["deadline_s"]) == ("find", 5, 60.5)
+        assert (tree_of(box).by_id["find"].release_s, tree_of(box).by_id["find"].deadline_s) == (5, 60.5)
+        box.call("setTimes", {"subtask": "find", "deadline_s": 50})
+        assert (tree_of(box).by_id["find"].release_s, tree_of(box).by_id["find"].deadline_s) == (0, 50)
+        box.call("setTimes", {"subtask": "find"})
+        assert tree_of(box).by_id["find"].deadline_s is None
+
+    @pytest.mark.parametrize(
+        ("times", "why"),
+        [
+            ({"release_s": 9, "deadline_s": 8}, "times_conflict"),
+            ({"deadline_s": -1}, "malformed_arguments"),
+            ({"deadline_s": "60"}, "malformed_arguments"),
+            ({"deadline_s": True}, "malformed_arguments"),
+            ({"release_s": 1e999}, "malformed_arguments"),
+        ],
+    )
+    def test_times_that_make_no_sense_are_refused(self, box: ToolBox, times: dict[str, Any], why: str) -> None:
+        assert rule(refused(box, "setTimes", subtask="Find", **times)) == why
+        assert rule(refused(box, "setTimes", subtask="nobody", deadline_s=1)) == "unknown_node"
+
     @pytest.mark.parametrize(
         ("kind", "back"), [("Precedence", False), ("Until", False), ("SameRobot", True), ("DifferentRobot", True)]
     )

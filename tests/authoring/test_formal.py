@@ -372,3 +372,44 @@ def test_what_is_only_spoken_of_need_not_be_in_the_scene(fleet: Fleet) -> None:
     made = author_formal(brief(fleet, goal(method="warn", slots={"target": "leo", "danger": "wasps"}), scene=SCENE))
     assert made.status == "complete", made.reasons
     assert "Reach(leo)" in calls(made.tree)
+
+
+def times(made: Authored) -> dict[str, tuple[float, float | None]]:
+    """Release time and deadline by label, of nodes that have any."""
+    assert made.tree is not None, made.reasons
+    return {
+        node.label: (node.release_s, node.deadline_s)
+        for node in made.tree.nodes
+        if node.release_s or node.deadline_s is not None
+    }
+
+
+def test_times_of_goals_stand_on_what_is_built_for_them_and_replay(fleet: Fleet) -> None:
+    inner = [goal(do="Search(keys)", deadline_s=20.0), goal(do="Search(bag)")]
+    mission = brief(
+        fleet, goal(task="Look", goals=inner, release_s=5.0), goal(do="Reach(door)", release_s=9, deadline_s=60)
+    )
+    made = author_formal(mission)
+    assert times(made) == {"Look": (5, None), "Search(Keys)": (0, 20), "Reach(Door)": (9, 60)}
+    assert replay(made.transcript, mission).tree == made.tree
+    assert made.reading[1].endswith("; by 20 s")
+    assert made.reading[3].endswith("; from 9 s; by 60 s")
+
+
+def look(**times: float) -> Goal:
+    """A task that looks for the keys, too, and for the dog."""
+    return goal(task="Look", goals=[goal(do="Search(keys)"), goal(do="Search(dog)")], **times)
+
+
+def test_what_is_searched_for_once_keeps_the_times_of_every_goal(fleet: Fleet) -> None:
+    """The keys by 50 s, and within a task that goes from 10 s until 90 s: once, from 10 s until 50 s."""
+    goals = goal(do="Search(keys)", deadline_s=50.0), look(release_s=10.0, deadline_s=90.0)
+    assert times(author_formal(brief(fleet, *goals))) == {"Search(Keys)": (10, 50), "Look": (10, 90)}
+
+
+def test_times_that_exclude_each_other_are_told(fleet: Fleet) -> None:
+    made = author_formal(brief(fleet, goal(do="Search(keys)", deadline_s=5.0), look(release_s=10.0)))
+    assert (made.status, [reason.rule for reason in made.reasons]) == ("incomplete", ["times_conflict"])
+    assert "from 10 s and by 5 s" in made.reasons[0].message
+    with pytest.raises(ValueError, match=r"has the deadline 5 s, before its release time 10 s"):
+        goal(do="Search(keys)", release_s=10.0, deadline_s=5.0)

@@ -1,6 +1,8 @@
+from dataclasses import replace
+
 from missiontree.authoring.views import MOST_SHOWN, named, outline, state_of
 from missiontree.mission.tree import MissionNode, MissionTree
-from tests.builders import reunite_tree
+from tests.builders import flat_tree, reunite_tree, routine_node
 
 
 def wide(count: int) -> MissionTree:
@@ -39,3 +41,9 @@ def test_the_state_counts_open_leaves_that_it_does_not_list() -> None:
 
 def test_nodes_are_named_by_id_and_label() -> None:
     assert named(reunite_tree().nodes[:1]) == [{"id": "root", "label": "Reunite mom with her lost child"}]
+
+
+def test_the_outline_shows_times() -> None:
+    node = routine_node("search", "Search", agent="Child")
+    tree = flat_tree(replace(node, release_s=5.0, deadline_s=62.5))
+    assert outline(tree).splitlines()[1].endswith("(search), from 5 s, by 62.5 s")

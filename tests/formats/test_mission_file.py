@@ -62,3 +62,26 @@ def test_a_routine_file_may_build_on_routines_that_are_elsewhere() -> None:
     assert [routine.id for routine in read_text(text, "routines").routines] == ["Fetch"]
     with pytest.raises(ValueError, match="at least one routine"):
         RoutineFile(routines=())
+
+
+def test_times_are_read_and_refused_where_they_make_no_sense() -> None:
+    made = read_text(
+        "mission: Go\ndeadline_s: 60\ngoals: [{do: Search(keys), release_s: 5, deadline_s: 30.5}]\n", "mission"
+    )
+    assert (made.deadline_s, made.goals[0].release_s, made.goals[0].deadline_s) == (60, 5, 30.5)
+    for text, where in (
+        ("mission: Go\ndeadline_s: -1\n", "deadline_s"),
+        ("mission: Go\ndeadline_s: soon\n", "deadline_s"),
+        ("mission: Go\nrelease_s: 5\n", "release_s"),
+        ("goals: [{do: Search(keys), release_s: 9, deadline_s: 8}]\n", "before its release time 9 s"),
+    ):
+        with pytest.raises(InputError, match=where):
+            read_text(text, "mission")
+
+
+def test_nodes_of_a_tree_file_may_have_times() -> None:
+    nodes = "nodes:\n- {id: a, label: A, routine: Search, arguments: {agent: b}, release_s: 2, deadline_s: 9}\n"
+    node = read_text("objective: x\n" + nodes, "tree").nodes[0]
+    assert (node.release_s, node.deadline_s) == (2, 9)
+    with pytest.raises(InputError, match="the deadline 1 s, before its release time 2 s"):
+        read_text("objective: x\n" + nodes.replace("deadline_s: 9", "deadline_s: 1"), "tree")

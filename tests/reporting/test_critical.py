@@ -254,3 +254,13 @@ def test_a_long_chain_is_found_without_recursion_and_in_time_that_grows_with_its
     instance: Instance = mission([Part("A", "a", [work(1)] * 3000)])
     plan = planned(instance, Fleet((robots("a"),)))
     assert len(chain(plan)) == 3000
+
+
+def test_a_release_time_begins_the_chain() -> None:
+    """A, 2 s, from 4 s on, and B after it: nothing before 4 s explains the length."""
+    instance = mission([Part("A", "a", [work(2)]), Part("B", "a", [work(3)])], [("A", "B")]).timed(A=(4, None))
+    assert told(planned(instance, Fleet((robots("a"),)))) == [
+        ("wait", "A.0", "a-1", 0, 4, "start"),
+        ("action", "A.0", "a-1", 4, 6, "release"),
+        ("action", "B.0", "a-1", 6, 9, "order"),
+    ]

@@ -154,3 +154,24 @@ def test_times_in_the_list_are_in_the_unit_of_the_axis_and_moves_tell_their_metr
     )
     words = {one.text for one in words_in(parsed(gantt_svg(planned(instance, Fleet((robots("a"),))), 1)))}
     assert "A long report to everybody who listens (10:00 to 10:05 min)" in words
+
+
+def test_a_flag_stands_at_each_deadline_that_the_axis_reaches() -> None:
+    """A, 20 s, by 25 s, and B, 40 s, by 90 s, which is after the end; the legend has a flag of its own."""
+    instance = mission([Part("A", "a", [work(20)]), Part("B", "b", [work(40)])]).timed(
+        A=(0, 25), B=(0, 90), root=(0, 95)
+    )
+    root = parsed(gantt_svg(planned(instance, Fleet((robots("a"), robots("b")))), 1))
+    titles = [group.find(f"{SVG}title") for group in root.iter(f"{SVG}g") if group.get("class") == "mt-due"]
+    assert [title.text for title in titles if title is not None] == ["A must end by 25 s"]
+    written = " ".join(text.text or "" for text in root.iter(f"{SVG}text"))
+    assert "a deadline of something in the row" in written
+    assert "due by 95 s" in written
+    bars = [title.text or "" for title in root.iter(f"{SVG}title")]
+    assert any("must end by 90 s" in title for title in bars)
+
+
+def test_a_wait_for_a_release_time_is_told() -> None:
+    instance = mission([Part("A", "a", [work(2), work(3)])]).timed(A_1=(5, None))
+    svg = gantt_svg(planned(instance, Fleet((robots("a"),))), 1)
+    assert "until it may start, at 5 s" in svg

@@ -36,8 +36,9 @@ def give_times(
     leaves = [piece for piece in standing if piece.routine is not None]
     for goal, pieces in timed:
         for piece in pieces:
-            built = [piece] if piece in standing else [leaf for leaf in leaves if leaf.call in calls[piece]]
-            for one in built:
+            own = [piece] if piece in standing else []
+            gone = set(calls[piece]).difference(leaf.call for one in own for leaf in one.leaves)
+            for one in (*own, *(leaf for leaf in leaves if leaf.call in gone)):
                 deadlines = [due for due in (one.deadline_s, goal.deadline_s) if due is not None]
                 one.release_s, one.deadline_s = max(one.release_s, goal.release_s), min(deadlines, default=None)
                 if one.deadline_s is not None and one.deadline_s < one.release_s:
