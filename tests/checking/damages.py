@@ -570,6 +570,24 @@ def nodes_due_earlier(plan: Plan) -> Iterator[Plan]:
                 yield with_grounded(plan, nodes=(*nodes[: done.leaf], due, *nodes[done.leaf + 1 :]))
 
 
+@breaks("robot_away")
+def comes_later(plan: Plan) -> Iterator[Plan]:
+    for _, schedule in schedules(plan):
+        for robot in {done.robot for done in schedule.actions if done.end_s > 1}:
+            kind = plan.brief.fleet.type_of[robot]
+            if all(member.available_from_s is None for member in kind.robots):
+                yield with_kind(plan, kind.id, available_from_s=1e6, available_until_s=None)
+
+
+@breaks("robot_away")
+def leaves_earlier(plan: Plan) -> Iterator[Plan]:
+    for _, schedule in schedules(plan):
+        for done in schedule.actions:
+            if done.end_s > 1:
+                kind = plan.brief.fleet.type_of[done.robot]
+                yield with_kind(plan, kind.id, available_from_s=None, available_until_s=done.end_s - 0.002)
+
+
 @breaks("alternative_late")
 def due_at_once(plan: Plan) -> Iterator[Plan]:
     """Whatever the alternative, some work of it takes time."""

@@ -11,14 +11,8 @@ from missiontree.formats.schema import values_in
 HEAD = "types:\n- id: cart\n  count: 2\n"  # three lines, a sound fleet
 
 PLANNED = [
-    ("fleet", HEAD + "  return_home: true\n", 4, "types[0].return_home", "come late, leave early or must return"),
-    (
-        "fleet",
-        "types:\n- id: a\n  robots: [{id: r, available_from_s: 5}]\n",
-        3,
-        "types[0].robots[0].available_from_s",
-        "come late",
-    ),
+    ("fleet", HEAD + "  return_home: true\n", 4, "types[0].return_home", "must return"),
+    ("fleet", "types:\n- id: a\n  robots: [{id: r, home: x}]\n", 3, "types[0].robots[0].home", "must return"),
     ("fleet", HEAD + "  recharge: {}\n", 4, "types[0].recharge", "recharging"),
     ("scene", "entities: []\nchargers: []\n", 2, "chargers", "recharging"),
     (

@@ -110,6 +110,7 @@ def _ends(
     release, duration = dict.fromkeys(leaves, 0), {}
     for robot, order in sequence.items():
         spot, last = fleet.robots[robot].position, None
+        there = math.ceil(fleet.type_of[robot].availability(fleet.robots[robot])[0] * 1000 - 1e-6)
         for leaf in (leaf for role in order for leaf in roles[role]):
             goal, way = _goal(action[leaf], world), 0
             if action[leaf].moves:
@@ -120,11 +121,12 @@ def _ends(
                 if action[leaf].at is not None:
                     way = _way(fleet, action[leaf], spot, goal, 0.0)
                     spot = goal
-            release[leaf] = max(release[leaf], way) if last is None else release[leaf]
+            release[leaf] = max(release[leaf], there + way) if last is None else release[leaf]
             if last is not None:
                 before.append((last, leaf, way))
             last = leaf
-    due = _due(instance, leaves, release)
+    who = {leaf: robot for robot, order in sequence.items() for role in order for leaf in roles[role]}
+    due = _due(instance, fleet, who, release)
     until: dict[int, list[int]] = {}
     for kind, first, second in _binding_links(instance):
         before += [(a, b, 0) for a in first for b in second] if kind == "precedence" else []
@@ -142,11 +144,14 @@ def _ends(
     return min(found, default=None)
 
 
-def _due(instance: Instance, leaves: Sequence[int], release: dict[int, int]) -> dict[int, int]:
-    """Deadlines by leaf; release times are put into ``release``."""
+def _due(instance: Instance, fleet: Fleet, who: dict[int, str], release: dict[int, int]) -> dict[int, int]:
+    """Deadlines by leaf, of nodes and of robots that leave; release times are put into ``release``."""
     due: dict[int, int] = {}
+    for leaf, robot in who.items():
+        if (until_s := fleet.type_of[robot].availability(fleet.robots[robot])[1]) is not None:
+            due[leaf] = math.floor(until_s * 1000 + 1e-6)
     for node, timed in enumerate(instance.tree.nodes):
-        for leaf in _under(instance, leaves, node) if timed.release_s or timed.deadline_s is not None else ():
+        for leaf in _under(instance, list(who), node) if timed.release_s or timed.deadline_s is not None else ():
             release[leaf] = max(release[leaf], math.ceil(timed.release_s * 1000 - 1e-6))
             if timed.deadline_s is not None:
                 due[leaf] = min(due.get(leaf, 1 << 60), math.floor(timed.deadline_s * 1000 + 1e-6))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from hypothesis import strategies as st
@@ -85,3 +86,21 @@ def timed(draw: st.DrawFn, made: Instance) -> Instance:
         span = draw(st.sampled_from([None, 4, 6, 8, 10, 12, 15, 20]))
         times[name.replace(".", "_")] = release, None if span is None else release + span
     return made.timed(**times)
+
+
+@st.composite
+def shifts(draw: st.DrawFn, fleet: Fleet) -> Fleet:
+    """A fleet of which types or robots come late or leave early."""
+    since, until = st.sampled_from([None, None, 0, 2, 6.5]), st.sampled_from([None, 7, 9, 12, 20])
+    types = [
+        replace(
+            kind,
+            available_from_s=draw(since),
+            available_until_s=draw(until),
+            robots=tuple(
+                replace(robot, available_from_s=draw(since), available_until_s=draw(until)) for robot in kind.robots
+            ),
+        )
+        for kind in fleet.types
+    ]
+    return replace(fleet, types=tuple(types))

@@ -57,7 +57,12 @@ class Replay:
         return found
 
     def timely(self) -> Iterator[str]:
-        """Release times and deadlines, node by node."""
+        """Release times and deadlines, node by node; and robots while they are there."""
+        spans = [(one.robot, one.start_s, one.end_s) for one in self.result.actions]
+        for robot, start_s, end_s in [*spans, *((leg.robot, leg.start_s, leg.end_s) for leg in self.result.legs)]:
+            since_s, until_s = self.fleet.type_of[robot].availability(self.fleet.robots[robot])
+            if start_s < since_s - EPS or (until_s is not None and end_s > until_s + EPS):
+                yield f"{robot} is not there from {start_s} to {end_s}"
         for index, node in enumerate(self.tree.nodes):
             for leaf in self.below(index) if node.release_s or node.deadline_s is not None else ():
                 if self.at[leaf].start_s < node.release_s - EPS:

@@ -119,6 +119,7 @@ RULES: tuple[Rule, ...] = (
     order.until_broken,
     times.release_broken,
     times.deadline_missed,
+    times.robot_away,
     holding.robot_overlap,
     holding.holding_broken,
     travel.leg_missing,

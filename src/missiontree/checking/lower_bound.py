@@ -87,7 +87,10 @@ class _Bound:
         for leaf, action in self._actions.items():
             self._add(self._start(leaf), self._end(leaf), self._length[self._group[leaf]])
             there = self._end(leaf) if action.moves else self._start(leaf)
-            self._release[there] = max(self._release.get(there, 0), self._arrival(action, leaf) + self._standing(leaf))
+            since = self._since(action.robot_type)
+            begin = since + self._arrival(action, leaf) + self._standing(leaf)
+            self._release[there] = max(self._release.get(there, 0), begin)
+            self._release[self._start(leaf)] = max(self._release.get(self._start(leaf), 0), since)
         for leaf, window in windows(self._case, self._staffing).items():
             self._release[self._start(leaf)] = max(self._release.get(self._start(leaf), 0), window.release)
         for later, earlier in self._before.items():
@@ -175,6 +178,12 @@ class _Bound:
         ]
         least = min(seconds, default=0.0)
         return ticks_needed(least) if math.isfinite(least) else 0
+
+    def _since(self, type_id: str) -> int:
+        """Ticks before which no robot of a type is there."""
+        kind = self._case.fleet.by_id[type_id]
+        own = [kind.available_from_s if one.available_from_s is None else one.available_from_s for one in kind.members]
+        return ticks_needed(min((since or 0.0 for since in own), default=0.0))
 
     def _order(self) -> list[object] | None:
         missing = Counter(later for successors in self._after.values() for later, _ in successors)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from missiontree.checking.case import Case
-from missiontree.checking.clock import TOLERANCE, shown
+from missiontree.checking.clock import TOLERANCE, shown, tick, ticks_needed
 from missiontree.checking.fault import Fault, named
 from missiontree.checking.soonest import too_late
 from missiontree.checking.windows import windows
@@ -40,6 +40,29 @@ def deadline_missed(case: Case) -> Iterator[Fault]:
                     robot=deed.robot,
                     found=shown(deed.end),
                     needed=f"at most {shown(window.deadline)}",
+                )
+
+
+def robot_away(case: Case) -> Iterator[Fault]:
+    """A robot travels or acts before it comes, or after it has left."""
+    for timetable in case.timetables:
+        spans = [(deed.robot, deed.start, deed.end) for deed in timetable.deeds.values()]
+        spans += [(leg.robot, tick(leg.start_s), tick(leg.end_s)) for leg in timetable.schedule.legs]
+        for robot, start, end in spans:
+            kind = case.fleet.type_of.get(robot)
+            if kind is None:
+                continue
+            own = case.fleet.robots[robot]
+            since = kind.available_from_s if own.available_from_s is None else own.available_from_s
+            until = kind.available_until_s if own.available_until_s is None else own.available_until_s
+            early = since is not None and start < ticks_needed(since) - TOLERANCE
+            if early or (until is not None and end > tick(until) + TOLERANCE):
+                yield Fault(
+                    f"schedule {timetable.schedule.rank} has {robot} at work from {shown(start)} to {shown(end)}; it is available "
+                    f"from {since or 0:g} s{'' if until is None else f' until {until:g} s'}.",
+                    robot=robot,
+                    found=f"{shown(start)} to {shown(end)}",
+                    needed=f"from {since or 0:g} s" + ("" if until is None else f" until {until:g} s"),
                 )
 
 

@@ -9,19 +9,15 @@ DEADLINES = "deadlines and release times of entities and of single actions"
 WINDOWS = "time windows"
 RECHARGING = "recharging and chargers"
 SHARED = "shared resources with a capacity"
-AVAILABILITY = "robots that come late, leave early or must return"
+RETURN = "robots that must return"
 COMMANDS = "commands to real robots and what they report back"
 GATES = "optional tasks, rewards and gates other than 'and' and 'xor'"
 
 _WINDOWS = {"windows": WINDOWS, "window": WINDOWS}
 _TIMES = {"deadline_s": DEADLINES, "release_s": DEADLINES, **_WINDOWS}
 _ROBOTS = {
-    "available_from_s": AVAILABILITY,
-    "available_until_s": AVAILABILITY,
-    "available_from": AVAILABILITY,
-    "until": AVAILABILITY,
-    "return_home": AVAILABILITY,
-    "home": AVAILABILITY,
+    "return_home": RETURN,
+    "home": RETURN,
     "recharge": RECHARGING,
     "recharge_per_s": RECHARGING,
     "charger": RECHARGING,

@@ -87,6 +87,10 @@ class Robot(Value):
         What is left of a budget at the start, such as ``energy_j``; overrides the type's limit of that name.
     zone
         Zone it starts in.
+    available_from_s
+        From when on it takes part: it neither travels nor acts before; seconds from the mission's start, at least 0. Default: the type's.
+    available_until_s
+        By when all that it does has ended; seconds from the mission's start, at least 0. Default: the type's.
     """
 
     id: Id
@@ -94,8 +98,11 @@ class Robot(Value):
     place: Id | None = None
     remaining: Mapping[Id, NonNegative] = field(default_factory=dict)
     zone: Id | None = None
+    available_from_s: NonNegative | None = None
+    available_until_s: NonNegative | None = None
 
     def _check(self) -> None:
+        check_availability(f"robot {self.id!r}", self.available_from_s, self.available_until_s)
         if self.position is not None and self.place is not None:
             raise ValueError(f"robot {self.id!r} has both a position and a place; give one.")
 
@@ -130,6 +137,11 @@ class RobotType(Value):
         Named robots.
     max_in_use
         How many different robots of the type may take part in one alternative, at least 1; None (default) means all.
+    available_from_s
+        From when on its robots take part: they neither travel nor act before; seconds from the mission's start, at least 0; a named
+        robot's own goes before it. Default: from the start.
+    available_until_s
+        By when all that they do has ended, in the same way. Default: no end.
     """
 
     id: Id
@@ -144,6 +156,8 @@ class RobotType(Value):
     place: Id | None = None
     robots: tuple[Robot, ...] = ()
     max_in_use: Count | None = None
+    available_from_s: NonNegative | None = None
+    available_until_s: NonNegative | None = None
 
     def _check(self) -> None:
         if not self.label:
@@ -161,12 +175,21 @@ class RobotType(Value):
             raise ValueError(f"robot type {self.id!r} names its robots; give each of them its own position.")
         if self.limits.get("max_speed_mps") == 0:
             raise ValueError(f"robot type {self.id!r}: max_speed_mps must be above 0, got 0.")
+        check_availability(f"robot type {self.id!r}", self.available_from_s, self.available_until_s)
+        for robot in self.robots:
+            check_availability(f"robot {robot.id!r}", *self.availability(robot))
 
     def capability(self, name: str) -> Capability | None:
         """The capability of that name, or None if the type lacks it."""
         given = self.capabilities.get(name)
         assert not isinstance(given, float | int)  # _check made every short form a whole one
         return given
+
+    def availability(self, robot: Robot) -> tuple[float, float | None]:
+        """From when and until when a robot of the type takes part, in seconds; None is for ever."""
+        since = self.available_from_s if robot.available_from_s is None else robot.available_from_s
+        until = self.available_until_s if robot.available_until_s is None else robot.available_until_s
+        return since or 0.0, until
 
     @cached_property
     def members(self) -> tuple[Robot, ...]:
@@ -231,3 +254,16 @@ class Fleet(Value):
     def robots(self) -> dict[str, Robot]:
         """Robots by id."""
         return {robot.id: robot for kind in self.types for robot in kind.members}
+
+
+def check_availability(whose: str, since_s: float | None, until_s: float | None) -> None:
+    """
+    Refuse a robot that leaves before it comes.
+
+    Raises
+    ------
+    ValueError
+        Naming both times.
+    """
+    if until_s is not None and until_s < (since_s or 0.0):
+        raise ValueError(f"{whose} is available from {since_s:g} s until {until_s:g} s, which is earlier.")

@@ -88,7 +88,7 @@ def lower_bounds(
     travel = _Travel(graph, staffing, places, fleet, trips)
     duration = [_least_duration(graph, activity, travel) for activity in range(len(graph.activities))]
     lag = {leaf: travel.before(leaf) for leaf in travel.previous if not graph.tree.action(leaf).moves}
-    release = _releases(graph, travel, duration)
+    release = _releases(graph, travel, duration, fleet)
     heads, tails = _longest_paths(graph, order, duration, lag, release)
     path = max(heads, default=0)
     entries = least_entries(graph, staffing, places, trips)
@@ -191,20 +191,24 @@ def _least_duration(graph: TaskGraph, activity: int, travel: _Travel) -> int:
     return max(travel.before(leaf) if action.moves else ticks(action.duration_s) for leaf, action in actions)
 
 
-def _releases(graph: TaskGraph, travel: _Travel, duration: Sequence[int]) -> dict[int, int]:
+def _releases(graph: TaskGraph, travel: _Travel, duration: Sequence[int], fleet: Fleet) -> dict[int, int]:
     """
     Ticks before which an action with a place cannot start, or a move cannot end, and those before which nothing may start.
 
     What a role does before its first place is done by a robot that stands still, so it comes on top of every way there.
     """
     still = _stood_still(graph, duration)
+    there = {kind.id: ticks(min(kind.availability(robot)[0] for robot in kind.members)) for kind in fleet.types}
     release: dict[int, int] = {}
     for activity, leaves in enumerate(graph.activities):
         for leaf in leaves:
             action = graph.tree.action(leaf)
+            if since := there[action.robot_type]:
+                release[2 * activity] = max(release.get(2 * activity, 0), since)
             if action.at is not None:
                 event = 2 * activity + action.moves
-                release[event] = max(release.get(event, 0), travel.arrival(leaf) + still.get(leaf, 0))
+                begin = since + travel.arrival(leaf) + still.get(leaf, 0)
+                release[event] = max(release.get(event, 0), begin)
     for activity, earliest in graph.release.items():
         release[2 * activity] = max(release.get(2 * activity, 0), earliest)
     return release

@@ -80,6 +80,8 @@ class Casting:
             if demand is None or (bound is None and demand.needs and not lasts(demand, robot, pooled, TOLERANCE)):
                 continue
             begin = max(ready, robot.free_at) + demand.way if moves else max(ready, robot.free_at + demand.way)
+            if robot.until is not None and begin + board.problem.holds[role] > robot.until:
+                continue
             ranked.append((begin, -robot.free_at, demand.metres, robot.index, robot))
         return ranked
 

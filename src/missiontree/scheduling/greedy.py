@@ -21,6 +21,7 @@ from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.mission.ticks import seconds
 from missiontree.scheduling.alike import alike_roles
 from missiontree.scheduling.approach_budget import approaches_too_dear
+from missiontree.scheduling.availability import away, gone_before, least_holds, some_leave
 from missiontree.scheduling.bounds import lower_bounds
 from missiontree.scheduling.bundles import bundles_of, crews_of
 from missiontree.scheduling.deadlines import Late, deadlines_missed, deadlines_out_of_reach
@@ -92,11 +93,14 @@ def _read(
     if reasons := [*too_much, *approaches_too_dear(graph, places, trips)]:
         return "budget_bound", reasons
     bounds = lower_bounds(graph, order, staffing, places, fleet, trips)
-    if reasons := deadlines_out_of_reach(graph, staffing, bounds, fleet):
+    if reasons := [*deadlines_out_of_reach(graph, staffing, bounds, fleet), *gone_before(graph, bounds, fleet)]:
         return "deadline_bound", reasons
     alike = alike_roles(graph, staffing, needs)
     bundles, crews, required = bundles_of(graph), crews_of(graph), terms.required_robots(fleet)
-    return Problem(graph, staffing, bounds, fleet, trips, bundles, crews, needs, alike, shared, required)
+    holds, leaving = least_holds(graph, bounds), some_leave(fleet)
+    return Problem(
+        graph, staffing, bounds, fleet, trips, bundles, crews, needs, alike, shared, required, holds, leaving
+    )
 
 
 def _best(problem: Problem, alternative: Alternative, control: Control) -> tuple[Draft | None, list[Reason]]:
@@ -114,7 +118,7 @@ def _best(problem: Problem, alternative: Alternative, control: Control) -> tuple
         if draft is None:
             return best, [_TIME_IS_UP, *(late.reasons if late else ()), *failures]
         looked += run.looked
-        if reasons := draft.reasons or terms_broken(problem, draft.robot_of):
+        if reasons := draft.reasons or terms_broken(problem, draft.robot_of) or away(problem, draft):
             failures.update(dict.fromkeys(reasons))
         elif (missed := deadlines_missed(problem, draft)) is not None:
             late = missed if late is None else min(late, missed)

@@ -92,6 +92,7 @@ class Placing:
         if (
             len(joint) > 1
             or activity in board.least_end
+            or board.problem.leaving
             or (board.rule.crew != "none" and len(board.crews[board.crew_of[role]]) > 1)
         ):
             return None

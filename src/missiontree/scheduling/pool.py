@@ -36,7 +36,12 @@ class Pool:
                 self._fresh[kind.id][None] = states
                 continue
             for state in states:
-                look = self._look[state.id] = (state.spot, tuple(sorted(state.left.items())))
+                look = self._look[state.id] = (
+                    state.spot,
+                    tuple(sorted(state.left.items())),
+                    state.free_at,
+                    state.until,
+                )
                 self._fresh[kind.id].setdefault(look, []).append(state)
 
     def robots(self, type_id: str, many: int) -> Iterator[RobotState]:
@@ -52,7 +57,6 @@ class Pool:
 
     def free_from(self, type_id: str) -> int | None:
         """When the first robot of a type is free, in ticks; None if all are held."""
-        if any(self._fresh[type_id].values()):
-            return 0
-        free = (r.free_at for r in self._active[type_id] if r.role is None and r.promised is None)
-        return min(free, default=None)
+        fresh = (alike[0].free_at for alike in self._fresh[type_id].values() if alike)
+        active = (r.free_at for r in self._active[type_id] if r.role is None and r.promised is None)
+        return min(chain(fresh, active), default=None)

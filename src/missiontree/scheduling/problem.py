@@ -36,6 +36,10 @@ class Problem:
         What all robots together may use, by name of the budget. Default: no such limit.
     required
         Robots each of which must fill a role. Default none.
+    holds
+        Ticks that each role holds its robot at least, a move at its beginning left out.
+    leaving
+        Whether some robot leaves before the end. Default false.
     """
 
     graph: TaskGraph
@@ -49,6 +53,8 @@ class Problem:
     alike: Mapping[int, int]
     shared: Mapping[str, float] = field(default_factory=dict)
     required: tuple[str, ...] = ()
+    holds: Mapping[int, int] = field(default_factory=dict)
+    leaving: bool = False
 
 
 @dataclass(frozen=True, slots=True)

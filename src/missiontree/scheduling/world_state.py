@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
+from missiontree.mission.ticks import ticks, ticks_within
 from missiontree.scheduling.trips import Spot, Trips
 
 
@@ -21,7 +22,7 @@ class RobotState:
     spot, stand
         Where it is, None if unknown; and the number of that spot, see :meth:`WorldState.number`.
     free_at
-        When its last action ends, in ticks.
+        When its last action ends, or when it comes, in ticks.
     role
         Role that holds it; None if none does.
     promised
@@ -32,6 +33,8 @@ class RobotState:
         Marks of the roles it has filled, see :mod:`missiontree.scheduling.staffing`.
     left
         What is left of each budget.
+    until
+        When it leaves, in ticks; None if it stays.
     """
 
     id: str
@@ -45,6 +48,7 @@ class RobotState:
     used: bool = False
     wears: set[object] = field(default_factory=set)
     left: dict[str, float] = field(default_factory=dict)
+    until: int | None = None
 
 
 @dataclass(slots=True)
@@ -77,13 +81,16 @@ class WorldState:
         for kind in fleet.types:
             limits = dict(kind.limits)
             for robot, start in zip(kind.members, trips.starts(kind.id), strict=True):
+                since_s, until_s = kind.availability(robot)
                 self.robots[robot.id] = RobotState(
                     robot.id,
                     kind.id,
                     len(self.robots),
                     start,
                     self.number(start),
+                    free_at=ticks(since_s),
                     left=limits | dict(robot.remaining) if robot.remaining else dict(limits),
+                    until=None if until_s is None else ticks_within(until_s),
                 )
 
     def number(self, spot: Spot) -> int:
