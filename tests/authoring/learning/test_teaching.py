@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from missiontree.authoring.edits import with_times
 from missiontree.authoring.learning import teaching
 from missiontree.authoring.learning.teaching import method_from
 from missiontree.authoring.methods.method import Method, MethodLibrary, built_in_methods, read_methods
@@ -65,3 +66,13 @@ def test_robots_that_the_words_name_are_no_part_of_the_method(words: str) -> Non
 def test_robots_that_the_words_do_not_name_are_a_part_of_it() -> None:
     (step,) = learned("Find the keys with the tele-robot", says="seek out {keys}").steps
     assert step.by == ("tele_robot",)
+
+
+def test_a_tree_with_times_is_no_lesson() -> None:
+    """A method could not hold them, and would drop them unsaid."""
+    brief = replace(brief_of(), text=RESCUE)
+    tree = author_offline(brief, built_in_methods()).tree
+    assert tree is not None
+    timed = with_times(tree, tree.nodes[-1].id, 0.0, 60.0)
+    with pytest.raises(InputError, match=r"has times \(by 60 s\), and a method has none"):
+        method_from(timed, brief, built_in_methods(), "", "")

@@ -22,6 +22,7 @@ from missiontree.errors import InputError
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.entity import Entity
 from missiontree.mission.pattern import Form, forms_of
+from missiontree.mission.times import words_of_times
 from missiontree.mission.tree import MissionTree
 
 MAX_ROUTINES = 200
@@ -84,6 +85,12 @@ def _refuse_unfit(tree: MissionTree, brief: MissionBrief) -> None:
         raise InputError("the tree has no routine, so there is nothing to be learned", hint=hint)
     if faults := gate(tree, brief):
         raise InputError(f"the tree is not finished: {faults[0].message}", hint=faults[0].hint)
+    if timed := [node for node in tree.nodes if words_of_times(node.release_s, node.deadline_s)]:
+        times = ", ".join(words_of_times(timed[0].release_s, timed[0].deadline_s))
+        raise InputError(
+            f"{timed[0].label!r} has times ({times}), and a method has none",
+            hint="Learn from the tree without its times, and state them as goals.",
+        )
     if len(leaves) > MAX_ROUTINES:
         hint = "Learn from a tree of one part of the mission."
         raise InputError(f"the tree has {len(leaves)} routines", accepted=f"at most {MAX_ROUTINES}", hint=hint)
