@@ -187,7 +187,7 @@ def _action(
         brings=tuple(dict.fromkeys(entities[name].id for name in step.brings)),
         finds=None if step.finds is None else entities[step.finds].id,
         open_ended=step.open_ended,
-        travel_at_least_s=working_s(capability, step.duration_s) if moves and travel.nominal else travel.certain_s,
+        travel_at_least_s=said.alone_s if step.goes_to is not None and travel.nominal else travel.certain_s,
     )
 
 

@@ -98,7 +98,13 @@ def _own_estimator(brief: MissionBrief) -> tuple[Reason, ...]:
     if brief.estimator is None:
         return ()
     message = f"Quality, duration and cost of every action are as {brief.estimator.shown} estimates them, not as the fleet states."
-    return (Reason(rule="own_estimator", message=message, severity="notice", found=brief.estimator.name),)
+    notice = Reason(
+        rule="own_estimator",
+        message=message,
+        severity="notice",
+        found=brief.estimator.name,
+    )
+    return (notice,)
 
 
 def _answers(brief: MissionBrief, asked: Estimator) -> tuple[Estimated, ...]:
