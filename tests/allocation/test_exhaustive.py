@@ -9,6 +9,7 @@ from missiontree.mission.control import Control
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.search_limit import SearchLimit
 from tests.builders import and_, grounded, leaf, trivial_fleet, xor_
 
 # 0 and, 1 xor, 2 a, 3 and, 4 b, 5 xor (nobody), 6 xor, 7 c, 8 d
@@ -56,8 +57,10 @@ def test_links_and_teams_are_read_off() -> None:
 def test_giving_up_claims_nothing() -> None:
     result = rank(TREE, settings=Exhaustive(max_examined=1))
     assert (result.status, result.certificate.claim, len(result.alternatives)) == ("partial", "unproven", 1)
+    assert result.certificate.limit == SearchLimit("candidates", 1)
     tree = grounded(and_(leaf("a"), leaf("b"), leaf("c")), teams={"a": 0, "b": 0, "c": 0})
     # 2 ** 3 = 8 assignments, none of which keeps three roles apart; after 4 it is not known.
     result = rank(tree, trivial_fleet({"r": 2}), settings=Exhaustive(max_assignments=4))
     assert (result.status, result.alternatives[0].certificate.claim) == ("partial", "unproven")
+    assert result.certificate.limit == SearchLimit("steps", 4)
     assert rank(tree, trivial_fleet({"r": 2})).status == "infeasible"

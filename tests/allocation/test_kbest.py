@@ -15,6 +15,7 @@ from missiontree.mission.control import Control, Progress
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.search_limit import SearchLimit
 from tests.builders import Spec, and_, grounded, leaf, trivial_fleet, xor_
 
 TWO_TYPES = trivial_fleet(("r", "s"), limits={"energy_j": 5})
@@ -174,11 +175,32 @@ def test_never_silent_at_no_time_under_budgets() -> None:
     assert result.alternatives[0].witness[0].robot in {"a-1", "b-1"}
 
 
+def test_a_bounded_claim_says_what_ended_the_search_and_a_proof_needs_nothing_of_the_kind() -> None:
+    """The time limit is the one that was set, not the share of it that allocation was given."""
+    mission, asked = tied_mission(30, {"a": 3}), Control(time_limit_s=0, seed=5).part(0.6)
+    answers = iter([False, False])
+    ended = [
+        ExactKBest()(*mission, Weights(), 4, asked),
+        ExactKBest()(*mission, Weights(), 4, Control(stop=lambda: next(answers, True), seed=5)),
+        ExactKBest(max_examined=1)(*mission, Weights(), 4, Control(seed=5)),
+        ExactKBest(max_nodes=(0, 0))(*mission, Weights(), 4, Control(seed=5)),
+    ]
+    limits = [result.certificate.limit for result in ended]
+    assert limits == [
+        SearchLimit("time_s", 0), SearchLimit("stopped"), SearchLimit("candidates", 1), SearchLimit("nodes", 0),
+    ]  # fmt: skip
+    assert {result.certificate.seed for result in ended} == {5}
+    assert all(alternative.certificate.limit is None for result in ended for alternative in result.alternatives)
+    proven = ExactKBest()(*mission, Weights(), 4, Control(seed=5)).certificate
+    assert (proven.claim, proven.limit, proven.seed) == ("proven", None, None)
+
+
 def test_undecided_candidates_stay_and_say_so() -> None:
     tree = grounded(and_(*(leaf(name, uses={"energy_j": used}) for name, used in (("a", 3), ("b", 2), ("c", 4)))))
     fleet = trivial_fleet({"r": 2}, limits={"energy_j": 5})
     result = ExactKBest(packing_steps=1)(tree, fleet, Weights(), 1, Control())
     assert (result.status, result.alternatives[0].certificate.claim) == ("partial", "unproven")
+    assert result.alternatives[0].certificate.limit == SearchLimit("steps", 1)
     assert rank(tree, fleet, k=1).alternatives[0].certificate.claim == "proven"
 
 

@@ -8,6 +8,7 @@ from missiontree.mission.control import Control
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.search_limit import SearchLimit
 from tests.builders import Spec, and_, grounded, leaf, trivial_fleet, xor_
 
 
@@ -79,6 +80,7 @@ def test_the_printed_form_gives_the_same_list_until_its_product_explodes() -> No
     result = rank(tree_of(10), settings=printed)
     assert (utilities(result), result.status) == ([], "unknown")
     assert [reason.rule for reason in result.reasons] == ["product_too_large"]
+    assert result.certificate.limit == SearchLimit("combinations", 1000)
 
 
 def test_the_printed_form_tests_budgets_per_combination() -> None:
@@ -92,6 +94,7 @@ def test_no_time_is_unknown() -> None:
     tree = grounded(and_(leaf("a"), leaf("b")))
     result = Pruned()(tree, trivial_fleet(), Weights(), 2, Control(time_limit_s=0))
     assert (result.status, [reason.rule for reason in result.reasons]) == ("unknown", ["stopped"])
+    assert result.certificate.limit == SearchLimit("time_s", 0)
 
 
 def test_wide_and_deep() -> None:

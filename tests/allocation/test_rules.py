@@ -18,13 +18,13 @@ from missiontree.allocation.packing import Load, pack
 from missiontree.allocation.possible import possible_nodes
 from missiontree.allocation.purses import purses_of
 from missiontree.allocation.selection import select
-from missiontree.allocation.usage import uses_of
 from missiontree.errors import InputError
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.control import Control
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.limit_use import LimitUse
 from missiontree.mission.terms import NO_TERMS, Terms
 from tests.builders import Spec, and_, grounded, leaf, trivial_fleet, xor_
 
@@ -150,8 +150,8 @@ def test_pruned_keeps_what_the_whole_mission_may_use() -> None:
 def test_what_is_used_of_the_mission_is_told_last() -> None:
     """By a and b 5 + 2 J of 9."""
     fleet = Fleet(trivial_fleet(("a", "b")).types, total_limits={"energy_j": 9})
-    flat = flatten(TWO, fleet, Weights())
-    assert uses_of(flat, ranked("exact", TWO, fleet).alternatives[0]) == (("", True, "energy_j", 7.0, 9.0),)
+    best = [ranked(allocator, TWO, fleet).alternatives[0] for allocator in ("exact", "exhaustive", "pruned")]
+    assert [alternative.uses for alternative in best] == [(LimitUse("mission", "", "energy_j", 7.0, 9.0),)] * 3
 
 
 def named(*names: str, energy: tuple[float, ...] = (), **common: object) -> Fleet:

@@ -20,11 +20,13 @@ from missiontree.mission.estimate import Estimate
 from missiontree.mission.estimator_source import Estimated
 from missiontree.mission.fleet import Robot, RobotType
 from missiontree.mission.grounded import GroundedNode, GroundedTree, Grounding
+from missiontree.mission.limit_use import LimitUse
 from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Need, Routine, RoutineLibrary
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.search_limit import SearchLimit
 from missiontree.mission.tree import Link, MissionNode
 
 Damage = Callable[[Plan], Iterator[Plan]]
@@ -828,6 +830,33 @@ def too_few_robots(plan: Plan) -> Iterator[Plan]:
             yield with_kind(with_alternative(plan, place, witness=()), type_id, count=1)
 
 
+@breaks("limit_use_missing")
+def use_concealed(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        for number in range(len(alternative.uses)):
+            yield with_alternative(plan, place, uses=without(alternative.uses, number))
+
+
+@breaks("limit_use_wrong")
+def use_misstated(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        for number, use in enumerate(alternative.uses):
+            others = without(alternative.uses, number)
+            yield with_alternative(plan, place, uses=(*others, replace(use, used=use.used + 1)))
+            yield with_alternative(plan, place, uses=(*others, replace(use, used=use.used / 2)))
+            yield with_alternative(plan, place, uses=(*others, replace(use, limit=use.limit + 1)))
+            yield with_alternative(plan, place, uses=(*others, replace(use, name="sugar_g")))
+            yield with_alternative(plan, place, uses=(*alternative.uses, use))
+
+
+@breaks("limit_use_wrong")
+def use_invented(plan: Plan) -> Iterator[Plan]:
+    for place, alternative in alternatives(plan):
+        for whose in ("robot", "robots", "type", "mission", "stock"):
+            invented = LimitUse(whose, alternative.roles[0].robot_type, "sugar_g", 1.0, 2.0)
+            yield with_alternative(plan, place, uses=(*alternative.uses, invented))
+
+
 @breaks("ranking_status_unfounded")
 def ranking_status_changed(plan: Plan) -> Iterator[Plan]:
     assert plan.ranking is not None
@@ -835,6 +864,24 @@ def ranking_status_changed(plan: Plan) -> Iterator[Plan]:
     yield with_ranking(plan, status="unknown")
     yield with_ranking(plan, alternatives=())
     yield with_ranking(plan, certificate=replace(plan.ranking.certificate, claim="unproven"))
+
+
+@breaks("search_limit_unfounded")
+def limit_of_a_proof(plan: Plan) -> Iterator[Plan]:
+    assert plan.ranking is not None
+    certificate = plan.ranking.certificate
+    for limit in (SearchLimit("time_s", 10.0), SearchLimit("stopped"), SearchLimit("nodes", 500)):
+        yield with_ranking(plan, certificate=replace(certificate, limit=limit))
+
+
+@breaks("search_limit_unfounded")
+def limit_concealed(plan: Plan) -> Iterator[Plan]:
+    assert plan.ranking is not None
+    certificate = plan.ranking.certificate
+    bounded = replace(certificate, claim="bounded")
+    yield with_ranking(plan, status="partial", certificate=bounded)
+    ended = replace(bounded, limit=SearchLimit("candidates", 200.0))
+    yield with_ranking(plan, status="partial", certificate=replace(ended, seed=plan.provenance.seed + 1))
 
 
 @breaks("rank_unproven")

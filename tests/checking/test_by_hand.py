@@ -15,6 +15,7 @@ from missiontree.mission.certificate import Certificate
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.grounded import GroundedTree, Grounding
+from missiontree.mission.limit_use import LimitUse
 from missiontree.mission.plan import Plan, Provenance
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
@@ -63,6 +64,7 @@ def plan_of(
     *legs: TravelLeg,
     fleet: Fleet | None = None,
     scene: Scene | None = None,
+    uses: tuple[LimitUse, ...] = (),
 ) -> Plan:
     """A plan of a tree without choices, whose roles go to the robots that the actions name."""
     brief = MissionBrief(text="By hand", fleet=fleet or team(), routines=built_in(), scene=scene)
@@ -73,6 +75,7 @@ def plan_of(
         utility=utility,
         choices=(),
         roles=tuple(RoleType(role, "r") for role in sorted(robots)),
+        uses=uses,
         certificate=PROVEN,
     )
     schedule = Schedule(
@@ -359,11 +362,33 @@ def test_totals_are_charged_over_all_robots_of_a_type() -> None:
     """3 + 4 = 7."""
     tree = grounded(and_(leaf("a", uses={"paint_l": 3}), leaf("b", uses={"paint_l": 4})))
     actions = times((1, "r-1", 0, 0), (2, "r-2", 0, 0))
-    assert check(plan_of(tree, actions, fleet=team(total_limits={"paint_l": 7}))) == ()
+    said = (LimitUse("type", "r", "paint_l", 7.0, 7.0),)
+    assert check(plan_of(tree, actions, fleet=team(total_limits={"paint_l": 7}), uses=said)) == ()
     # Even by what allocation knows, no robots fit into 6.
-    assert rules(plan_of(tree, actions, fleet=team(total_limits={"paint_l": 6}))) == [
+    said = (LimitUse("type", "r", "paint_l", 7.0, 6.0),)
+    assert rules(plan_of(tree, actions, fleet=team(total_limits={"paint_l": 6}), uses=said)) == [
         "alternative_unstaffable", "claim_refuted", "total_budget_exceeded",
     ]  # fmt: skip
+
+
+def test_what_is_used_of_limits_is_told_as_the_actions_give_it() -> None:
+    """3 + 4 = 7 of 2 * 5 that two robots have, of 8 of the type, of 9 of the fleet; the stock of 9.5 is looser and not told."""
+    tree = grounded(and_(leaf("a", uses={"paint_l": 3}), leaf("b", uses={"paint_l": 4})))
+    actions = times((1, "r-1", 0, 0), (2, "r-2", 0, 0))
+    fleet = replace(team(limits={"paint_l": 5}, total_limits={"paint_l": 8}), total_limits={"paint_l": 9.0})
+    scene = replace(SCENE, stock={"paint_l": 9.5})
+    said = (
+        LimitUse("robots", "r", "paint_l", 7.0, 10.0),
+        LimitUse("type", "r", "paint_l", 7.0, 8.0),
+        LimitUse("mission", "", "paint_l", 7.0, 9.0),
+    )
+    assert check(plan_of(tree, actions, fleet=fleet, scene=scene, uses=said)) == ()
+    for number, use in enumerate(said):
+        without = (*said[:number], *said[number + 1 :])
+        fault = only(plan_of(tree, actions, fleet=fleet, scene=scene, uses=without))
+        assert (fault.rule, fault.robot, fault.needed) == ("limit_use_missing", use.who, f"paint_l 7 of {use.limit:g}")
+    stock = LimitUse("stock", "", "paint_l", 7.0, 9.5)
+    assert only(plan_of(tree, actions, fleet=fleet, scene=scene, uses=(*said, stock))).rule == "limit_use_wrong"
 
 
 @pytest.mark.parametrize(("kind", "sound"), [("same_robot", "r-1"), ("different_robot", "r-2")])

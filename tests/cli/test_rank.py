@@ -36,7 +36,7 @@ def test_json_tells_choices_uses_and_what_was_asked_for(shell: Shell, tmp_path: 
     assert (told["status"], told["k"], told["seed"], told["time_limit_s"]) == ("exact", 10, 3, 30.0)
     (only,) = told["alternatives"]
     assert (only["utility"], only["chosen"], only["gap"], only["certificate"]["claim"]) == (17.0, [4], 0.0, "proven")
-    assert [(use["who"], use["used"], use["allowed"]) for use in only["uses"]] == [
+    assert [(use["who"], use["used"], use["limit"]) for use in only["uses"]] == [
         ("robot-0-1", 4.0, 8.0),
         ("robot-1-1", 1.0, 3.0),
     ]
@@ -94,16 +94,16 @@ def test_nothing_found_and_nothing_proven_has_a_code_of_its_own(shell: Shell, tm
 
 
 def test_long_tables_are_cut_and_say_so(shell: Shell, tmp_path: Path) -> None:
-    """One of 25 leaves, of 20 robots: 20 lines of alternatives and 5 more, the 12 tightest limits and 8 more."""
-    leaves = 25
+    """One of 25 leaves beside one for each of 20 robots: 20 lines of alternatives and 5 more, the 12 tightest limits and 8 more."""
+    leaves, robots = 25, 20
     tree = {
-        "kind": [2, *[0] * leaves],
-        "parent": [-1, *[0] * leaves],
-        "robot": [0, *(leaf % 20 for leaf in range(leaves))],
-        "utility": [0, *range(leaves)],
-        "consumption": [0, *[3] * leaves],
-        "robots": 20,
-        "budget": [4] * 20,
+        "kind": [1, 2, *[0] * (leaves + robots)],
+        "parent": [-1, 0, *[1] * leaves, *[0] * robots],
+        "robot": [0, 0, *(leaf % robots for leaf in range(leaves)), *range(robots)],
+        "utility": [0, 0, *range(leaves), *[0] * robots],
+        "consumption": [0, 0, *[2] * (leaves + robots)],
+        "robots": robots,
+        "budget": [4] * robots,
     }
     ran = shell("rank", written(tmp_path, tree), "--k", "25")
     assert "… 0 5 more, down to this utility; --json lists all" in " ".join(ran.out.split())

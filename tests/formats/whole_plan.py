@@ -11,12 +11,14 @@ from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.estimator_source import Estimated, EstimatorSource
 from missiontree.mission.fleet import Capability, CostModel, Fleet, Robot, RobotType
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, GroundedTree, Grounding, Role
+from missiontree.mission.limit_use import LimitUse
 from missiontree.mission.plan import Plan, Provenance
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import ActionStep, Argument, Branch, Need, RoleSpec, Routine, RoutineLibrary
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.search_limit import SearchLimit
 from missiontree.mission.tree import Link, MissionNode, MissionTree
 from missiontree.mission.ways import Lift, Road, RoadGraph, RoadNode
 
@@ -105,6 +107,7 @@ def whole_plan() -> Plan:
         choices=(Choice(1, 2),),
         roles=(RoleType(0, "scout"),),
         witness=(Assignment(0, "ada"),),
+        uses=(LimitUse("robot", "ada", "energy_j", 3.0, 4.5),),
         certificate=proven,
     )
     leg = TravelLeg(
@@ -120,7 +123,9 @@ def whole_plan() -> Plan:
     schedule = Schedule(
         rank=1,
         status="feasible",
-        certificate=Certificate(claim="bounded", method="critical_path", bound=2.0),
+        certificate=Certificate(
+            claim="bounded", method="critical_path", bound=2.0, limit=SearchLimit("time_s", 2.5), seed=3
+        ),
         assignments=(Assignment(0, "ada"),),
         actions=(ScheduledAction(leaf=2, robot="ada", start_s=2.001, end_s=4.501),),
         legs=(leg,),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from missiontree.mission.control import Control
+from missiontree.mission.search_limit import SearchLimit
 
 
 class Hands:
@@ -47,3 +48,23 @@ def test_the_token_stops_at_once() -> None:
 def test_a_negative_limit_is_refused() -> None:
     with pytest.raises(ValueError, match="at least 0"):
         Control(time_limit_s=-1)
+
+
+def test_what_ended_the_work_is_told_as_it_was_set_for_the_whole() -> None:
+    """A part of a part of 10 s is over after 1 s; what was set is 10 s."""
+    clock = Hands()
+    part = Control(time_limit_s=10, clock=clock).part(0.5).part(0.2)
+    assert part.ended_by() is None
+    clock.now = 101.0
+    assert part.ended_by() == SearchLimit("time_s", 10)
+    assert Control(time_limit_s=10, stop=lambda: True).ended_by() == SearchLimit("stopped")
+
+
+def test_a_search_limit_has_a_number_unless_somebody_said_stop() -> None:
+    assert SearchLimit("time_s", 2.5).in_words == "the time limit of 2.5 s"
+    assert SearchLimit("candidates", 200_000).in_words == "the limit of 200,000 candidates"
+    assert SearchLimit("stopped").in_words == "a stop that was asked for"
+    with pytest.raises(ValueError, match="needs a number"):
+        SearchLimit("nodes")
+    with pytest.raises(ValueError, match="has no number"):
+        SearchLimit("stopped", 3)

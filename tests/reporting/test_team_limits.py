@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import pytest
 
-from missiontree.mission.alternative import Assignment
 from missiontree.mission.fleet import Fleet, Robot
+from missiontree.mission.limit_use import LimitUse as Promised
 from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
@@ -71,19 +71,26 @@ def test_limits_of_the_whole_mission_are_told_last() -> None:
     )
 
 
-def test_without_a_schedule_a_witness_tells_the_least_that_each_robot_uses() -> None:
-    """Two actions of 50 J; how far it travels is not known."""
+def test_without_a_schedule_the_least_that_allocation_knows_is_told() -> None:
+    """How far it travels is not known."""
     plan = made(fleet(), 50)
     assert plan.ranking is not None
-    alternative = replace(plan.ranking.alternatives[0], witness=(Assignment(0, "walker-2"),))
-    assert limits_of(plan, alternative, None) == (LimitUse("walker-2", "energy_j", 100, 1000, at_least=True),)
-
-
-def test_without_schedule_and_witness_the_type_is_told_as_a_whole() -> None:
-    """Two robots have 2000 J together."""
-    assert told(made(fleet(), 50), scheduled=False) == (
-        LimitUse("all of Walker", "energy_j", 100, 2000, at_least=True),
+    known = (
+        Promised("robot", "walker-2", "energy_j", 100, 1000),
+        Promised("robots", "walker", "energy_j", 100, 2000),
+        Promised("type", "walker", "energy_j", 100, 400),
+        Promised("mission", "", "energy_j", 100, 900),
+        Promised("stock", "", "energy_j", 100, 800),
+        Promised("stock", "", "kits", 0, 3),
     )
+    told = limits_of(plan, replace(plan.ranking.alternatives[0], uses=known), None)
+    assert [(one.who, one.allowed, one.at_least) for one in told] == [
+        ("walker-2", 1000, True),
+        ("all of Walker", 2000, True),
+        ("all of Walker", 400, True),
+        ("the whole mission", 900, True),
+        ("stock of the scene", 800, True),
+    ]
 
 
 def test_something_of_nothing_is_all_of_it() -> None:

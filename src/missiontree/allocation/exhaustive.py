@@ -23,6 +23,7 @@ from missiontree.mission.estimate import MICRO, Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.reason import Reason
+from missiontree.mission.search_limit import SearchLimit
 
 METHOD = "enumeration"
 
@@ -49,21 +50,23 @@ class Exhaustive:
         flat = flatten(tree, fleet, weights)
         judge, writer = _Judge(flat, self.max_assignments), Writer(flat)
         kept: list[tuple[int, Selection, Verdict]] = []
-        examined, finished = 0, True
+        examined, limit = 0, None
         for selection in every_selection(flat):
-            if control.ended() or examined == self.max_examined:
-                finished = False
+            limit = control.ended_by() or self._limit(examined)
+            if limit is not None:
                 break
             examined += selection is not None
             if selection is None or (verdict := judge.judge(selection)).answer == "no":
                 continue
             kept.append((sum(flat.utility[leaf] for leaf in selection.leaves), selection, verdict))
         control.report(Progress("allocation", examined, len(kept)))
-        if finished and not kept:
+        if limit is None and not kept:
             reason = Reason(rule="none_feasible", message=f"All {examined} ways through the tree were tried in vain.")
             return impossible(METHOD, "Every way through the tree was tried.", (reason,), examined)
         kept.sort(key=lambda entry: -entry[0])  # stable: equal utilities stay in the order of their choices
-        decided = finished and all(verdict.answer == "yes" for _, _, verdict in kept)
+        if limit is None and not all(verdict.answer == "yes" for _, _, verdict in kept):
+            limit = SearchLimit("steps", self.max_assignments)
+        decided = limit is None
         alternatives = tuple(
             writer.alternative(rank, utility, selection, verdict, _certificate(decided, utility))
             for rank, (utility, selection, verdict) in enumerate(islice(kept, k), start=1)
@@ -71,9 +74,12 @@ class Exhaustive:
         return Ranking(
             alternatives=alternatives,
             status="exact" if decided else "partial" if alternatives else "unknown",
-            certificate=_of_the_rest(decided, alternatives[-1].utility if len(kept) >= k else None),
+            certificate=_of_the_rest(limit, control.seed, alternatives[-1].utility if len(kept) >= k else None),
             examined=examined,
         )
+
+    def _limit(self, examined: int) -> SearchLimit | None:
+        return SearchLimit("candidates", self.max_examined) if examined == self.max_examined else None
 
 
 def _certificate(decided: bool, utility: int) -> Certificate:
@@ -82,8 +88,10 @@ def _certificate(decided: bool, utility: int) -> Certificate:
     )
 
 
-def _of_the_rest(decided: bool, bound: float | None) -> Certificate:
-    return Certificate(claim="proven" if decided else "unproven", method=METHOD, bound=bound if decided else None)
+def _of_the_rest(limit: SearchLimit | None, seed: int, bound: float | None) -> Certificate:
+    if limit is None:
+        return Certificate(claim="proven", method=METHOD, bound=bound)
+    return Certificate(claim="unproven", method=METHOD, limit=limit, seed=seed)
 
 
 def every_selection(flat: Flat) -> Iterator[Selection | None]:

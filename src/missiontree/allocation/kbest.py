@@ -32,6 +32,7 @@ from missiontree.mission.control import Control
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.search_limit import SearchLimit
 
 PATIENCE_NODES = 1_000_000
 LARGE = 100_000  # nodes
@@ -156,10 +157,22 @@ class _Road:
                 return search.finished()
         elif self._plainly(settings.max_examined, settings.max_examined):
             return search.finished()
+        limit = self._limit(rounds.nodes)
         fill(search.pool, core, purses, rounds.start(), rounds.base.advised(), self.control)
         undecided = search.pool.undecided
         search.bound_by(rounds.bound if undecided is None or rounds.bound is None else max(rounds.bound, undecided))
-        return search.stopped()
+        return search.stopped(limit)
+
+    def _limit(self, nodes: int) -> SearchLimit:
+        """What has just ended the search, after so many nodes of branch and bound."""
+        ended = self.control.ended_by()
+        if ended is not None:
+            return ended
+        settings = self.settings
+        if self.search.examined >= settings.max_examined:
+            return SearchLimit("candidates", settings.max_examined)
+        fast, plain = settings.max_nodes
+        return SearchLimit("nodes", fast if nodes >= fast else plain)
 
     def _given_up(self, most: int) -> bool:
         return self.search.examined >= most or self.control.ended()

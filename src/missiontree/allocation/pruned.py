@@ -35,6 +35,7 @@ from missiontree.mission.estimate import MICRO, Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.reason import Reason
+from missiontree.mission.search_limit import SearchLimit
 
 METHOD = "algorithm_1"
 
@@ -54,9 +55,9 @@ class Way(Item):
 class _Stopped(Exception):
     """The work was ended from outside, or grew beyond its cap."""
 
-    def __init__(self, reason: Reason) -> None:
+    def __init__(self, reason: Reason, limit: SearchLimit) -> None:
         super().__init__(reason.message)
-        self.reason = reason
+        self.reason, self.limit = reason, limit
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +90,9 @@ class Pruned:
             ways = _Combiner(flat, rho, self, control).ways_of_root()
         except _Stopped as stopped:
             detail = "Given up before there was a complete alternative."
-            certificate = Certificate(claim="unproven", method=METHOD, detail=detail)
+            certificate = Certificate(
+                claim="unproven", method=METHOD, detail=detail, limit=stopped.limit, seed=control.seed
+            )
             return Ranking(alternatives=(), status="unknown", certificate=certificate, reasons=(stopped.reason,))
         complete = rho >= k or len(ways) < rho
         return _ranked(flat, ways, k, complete, control)
@@ -143,11 +146,11 @@ class _Combiner:
         return kept
 
     def _whole_product(self, below: list[list[Way]]) -> list[Way]:
-        size = 1
+        size, most = 1, self.settings.max_product
         for ways in below:
             size *= len(ways)
-            if size > self.settings.max_product:
-                raise _Stopped(_too_large(self.settings.max_product))
+            if size > most:
+                raise _Stopped(_too_large(most), SearchLimit("combinations", most))
         whole = below[0] if below else _ranks([Way(0, {})])
         for ways in below[1:]:
             self._ask_to_go_on()
@@ -167,8 +170,10 @@ class _Combiner:
         return True
 
     def _ask_to_go_on(self) -> None:
-        if self.control.ended():
-            raise _Stopped(Reason(rule="stopped", message="Time was up, or somebody said stop.", severity="notice"))
+        limit = self.control.ended_by()
+        if limit is not None:
+            said = Reason(rule="stopped", message="Time was up, or somebody said stop.", severity="notice")
+            raise _Stopped(said, limit)
 
 
 def _ranks(ways: list[Way]) -> list[Way]:

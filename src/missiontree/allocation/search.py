@@ -15,6 +15,7 @@ from missiontree.mission.alternative import Alternative, Ranking, RankingStatus
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.control import Control, Progress
 from missiontree.mission.estimate import MICRO
+from missiontree.mission.search_limit import SearchLimit
 
 METHOD = "lazy_k_best"
 BY_BOUNDS = "branch_and_bound"
@@ -102,7 +103,8 @@ class Search:
         if verdict.answer == "undecided":
             self._undecided += 1
             detail = "Whether the robots' budgets can be kept was not decided; nothing better is missing from the list."
-            return Certificate(claim="unproven", method=self.method, bound=bound, detail=detail)
+            limit = SearchLimit("steps", self.referee.steps) if self.referee is not None else None
+            return Certificate(claim="unproven", method=self.method, bound=bound, detail=detail, limit=limit)
         if self._undecided:
             detail = "Feasible, and nothing better is missing from the list; an undecided one stands before it."
             return Certificate(claim="bounded", method=self.method, bound=bound, detail=detail)
@@ -111,12 +113,19 @@ class Search:
     def _report(self, utility: int) -> None:
         self.control.report(Progress("allocation", self.examined, len(self.found), utility / MICRO))
 
-    def stopped(self) -> Ranking:
-        """Stopped before the end; the list goes on with the pool, and the bound holds for what is not listed."""
+    def stopped(self, limit: SearchLimit) -> Ranking:
+        """Stopped before the end by a limit; the list goes on with the pool, and the bound holds for what is not listed."""
         assert self.bound is not None
         self._go_on_with_the_pool(self.bound)
         detail = "Stopped early; nothing that is not listed is better than the bound."
-        certificate = Certificate(claim="bounded", method=self.method, bound=self.bound / MICRO, detail=detail)
+        certificate = Certificate(
+            claim="bounded",
+            method=self.method,
+            bound=self.bound / MICRO,
+            detail=detail,
+            limit=limit,
+            seed=self.control.seed,
+        )
         self._report(self.bound)
         return self._ranking("partial" if self.found else "unknown", certificate)
 

@@ -1,99 +1,84 @@
-"""What an alternative uses of every limit that binds its robots, beside what is allowed."""
+"""What an alternative uses of every limit, beside what is allowed."""
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterator
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator, Mapping
+from heapq import nlargest
 
-from missiontree.allocation.flat import AMOUNT_SCALE, EVERYBODY, Flat
-from missiontree.mission.alternative import Alternative
+from missiontree.allocation.flat import AMOUNT_SCALE, Flat, Stock
+from missiontree.mission.limit_use import LimitUse, Whose
 
-_Amounts = Counter[tuple[str, str]]  # billionths, by robot or robot type and name of the budget
+_Amounts = dict[tuple[str, str], int]  # billionths, by robot or robot type and name of the budget
 
 
-class Use(NamedTuple):
+class Usage:
     """
-    A limit beside what is used of it, both in the limit's own unit.
+    Tells what alternatives of one problem use.
 
     Parameters
     ----------
-    who
-        The robot, or the robot type where all its robots are meant; empty where all robots of the mission are.
-    together
-        Whether all robots of the type, or of the mission, are meant.
-    name
-        Name of the budget.
-    used, allowed
-        Amounts, at least 0.
+    flat
+        The problem.
     """
 
-    who: str
-    together: bool
-    name: str
-    used: float
-    allowed: float
+    def __init__(self, flat: Flat) -> None:
+        self._flat = flat
+        self._limited = bool(flat.shared) or any(stock.totals or any(stock.budgets) for stock in flat.stocks.values())
 
-    @property
-    def share(self) -> float:
-        """Used of allowed; 1 for something of nothing."""
-        return self.used / self.allowed if self.allowed else float(self.used > 0)
+    def of(self, leaves: Iterable[int], robots: Mapping[int, str]) -> tuple[LimitUse, ...]:
+        """
+        Every limit of which something is used, type by type, and at last those of the mission.
 
+        Parameters
+        ----------
+        leaves
+            The selected leaves.
+        robots
+            Robot by role. Without any, since nobody could say who does what, the robots of a type are told of together.
+        """
+        if not self._limited:
+            return ()
+        flat, by_type, by_robot = self._flat, _Amounts(), _Amounts()
+        for leaf in leaves:
+            for name, amount in flat.uses[leaf].items():
+                key = flat.robot_type[leaf], name
+                by_type[key] = by_type.get(key, 0) + amount
+                if robots:
+                    key = robots[flat.role[leaf]], name
+                    by_robot[key] = by_robot.get(key, 0) + amount
+        return (*self._of_types(by_type, by_robot), *self._of_the_mission(by_type))
 
-def uses_of(flat: Flat, alternative: Alternative) -> tuple[Use, ...]:
-    """
-    Every limit of the robots in the tree, the unused ones too, type by type, and at last those of the mission.
+    def _of_types(self, by_type: _Amounts, by_robot: _Amounts) -> Iterator[LimitUse]:
+        used_of: dict[str, list[str]] = {}
+        for type_id, name in sorted(by_type):
+            used_of.setdefault(type_id, []).append(name)
+        for type_id, stock in self._flat.stocks.items():
+            names = used_of.get(type_id, ())
+            for robot, budget in zip(stock.robots, stock.budgets, strict=True) if names and by_robot else ():
+                for name in names:
+                    if name in budget and (robot, name) in by_robot:
+                        yield _use("robot", robot, name, by_robot[robot, name], budget[name])
+            for name in names:
+                allowed = _added_up(stock, name)
+                if not by_robot and allowed is not None:
+                    yield _use("robots", type_id, name, by_type[type_id, name], allowed)
+            for name in names:
+                if name in stock.totals:
+                    yield _use("type", type_id, name, by_type[type_id, name], stock.totals[name])
 
-    Robots are those of the witness. An alternative without one, since nobody could say who does what, is told of by type: all
-    robots together, against the sum of what they have.
-    """
-    robots = {filled.role: filled.robot for filled in alternative.witness}
-    by_robot, by_type = _Amounts(), _Amounts()
-    for leaf in _leaves(flat, alternative) if any(flat.uses) else ():
-        for name, amount in flat.uses[leaf].items():
-            by_type[flat.robot_type[leaf], name] += amount
-            if robots:
-                by_robot[robots[flat.role[leaf]], name] += amount
-    who_is_known = bool(robots) or not by_type
-    told = _one_by_one(flat, by_robot, by_type) if who_is_known else _all_together(flat, by_type)
-    return (*told, *_of_the_mission(flat, by_type))
-
-
-def _leaves(flat: Flat, alternative: Alternative) -> Iterator[int]:
-    taken = {choice.xor: choice.child for choice in alternative.choices}
-    stack = [0]
-    while stack:
-        node = stack.pop()
-        if flat.kind[node] == "action":
-            yield node
-        elif flat.kind[node] == "and":
-            stack.extend(flat.children[node])
-        else:
-            stack.append(taken[node])
-
-
-def _one_by_one(flat: Flat, by_robot: _Amounts, by_type: _Amounts) -> Iterator[Use]:
-    for type_id, stock in flat.stocks.items():
-        for robot, budget in zip(stock.robots, stock.budgets, strict=True):
-            for name, allowed in budget.items():
-                yield _use(robot, False, name, by_robot[robot, name], allowed)
-        for name, allowed in stock.totals.items():
-            yield _use(type_id, True, name, by_type[type_id, name], allowed)
-
-
-def _all_together(flat: Flat, by_type: _Amounts) -> Iterator[Use]:
-    for type_id, stock in flat.stocks.items():
-        for name in dict.fromkeys(name for limited in (*stock.budgets, stock.totals) for name in limited):
-            allowed = stock.pooled(name)
-            if allowed is not None:
-                yield _use(type_id, True, name, by_type[type_id, name], allowed)
+    def _of_the_mission(self, by_type: _Amounts) -> Iterator[LimitUse]:
+        for name, shared in self._flat.shared.items():
+            used = sum(by_type.get((type_id, name), 0) for type_id in self._flat.stocks)
+            if used:
+                yield _use("stock" if shared.source == "scene" else "mission", "", name, used, shared.limit)
 
 
-def _of_the_mission(flat: Flat, by_type: _Amounts) -> Iterator[Use]:
-    for name, shared in flat.shared.items():
-        used = sum(by_type[type_id, name] for type_id in flat.stocks)
-        yield _use(EVERYBODY, True, name, used, shared.limit)
+def _added_up(stock: Stock, name: str) -> int | None:
+    """What as many robots as may take part have of a budget together; None if some robot is not limited."""
+    if not all(name in budget for budget in stock.budgets):
+        return None
+    return sum(nlargest(stock.usable, (budget[name] for budget in stock.budgets)))
 
 
-def _use(who: str, together: bool, name: str, used: int, allowed: int) -> Use:
-    return Use(who, together, name, used / AMOUNT_SCALE, allowed / AMOUNT_SCALE)
+def _use(whose: Whose, who: str, name: str, used: int, limit: int) -> LimitUse:
+    return LimitUse(whose, who, name, used / AMOUNT_SCALE, limit / AMOUNT_SCALE)

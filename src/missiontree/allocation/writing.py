@@ -6,9 +6,11 @@ from missiontree.allocation.feasibility import Verdict
 from missiontree.allocation.flat import Flat
 from missiontree.allocation.possible import structurally_possible
 from missiontree.allocation.selection import Selection
+from missiontree.allocation.usage import Usage
 from missiontree.mission.alternative import Alternative, Assignment, Choice, Ranking, RoleType
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.estimate import MICRO
+from missiontree.mission.limit_use import LimitUse
 from missiontree.mission.reason import Reason
 
 FREE = Verdict("yes")
@@ -28,6 +30,7 @@ class Writer:
 
     def __init__(self, flat: Flat) -> None:
         self._flat = flat
+        self._usage = Usage(flat)
         self._choices: dict[tuple[int, int], Choice] = {}
         self._roles: dict[tuple[int, str], RoleType] = {}
 
@@ -38,12 +41,19 @@ class Writer:
         types = sorted({(self._flat.role[leaf], self._flat.robot_type[leaf]) for leaf in selection.leaves})
         choices = tuple(self._choice(xor, child) for xor, child in selection.choices)
         roles = tuple(self._role(role, type_id) for role, type_id in types)
-        return self.of_parts(rank, utility, (choices, roles), verdict, certificate)
+        uses = self._usage.of(selection.leaves, dict(verdict.witness))
+        return self.of_parts(rank, utility, (choices, roles), verdict, certificate, uses)
 
     def of_parts(
-        self, rank: int, utility: int, parts: Parts, verdict: Verdict, certificate: Certificate
+        self,
+        rank: int,
+        utility: int,
+        parts: Parts,
+        verdict: Verdict,
+        certificate: Certificate,
+        uses: tuple[LimitUse, ...] = (),
     ) -> Alternative:
-        """One alternative whose choices and roles are values already."""
+        """One alternative whose choices and roles are values already; default: of a problem without limits."""
         choices, roles = parts
         return Alternative(
             rank=rank,
@@ -51,6 +61,7 @@ class Writer:
             choices=choices,
             roles=roles,
             witness=tuple(Assignment(role, robot) for role, robot in verdict.witness),
+            uses=uses,
             certificate=certificate,
         )
 

@@ -24,6 +24,7 @@ from missiontree.checking import (
     terms,
     times,
     travel,
+    uses,
     witness,
 )
 from missiontree.checking.case import Case, Rule
@@ -83,7 +84,10 @@ RULES: tuple[Rule, ...] = (
     witness.witness_broken,
     witness.alternative_unstaffable,
     times.alternative_late,
+    uses.limit_use_missing,
+    uses.limit_use_wrong,
     claims.ranking_status_unfounded,
+    claims.search_limit_unfounded,
     claims.rank_unproven,
     claims.bound_below_utility,
     claims.claim_refuted,

@@ -36,6 +36,28 @@ def ranking_status_unfounded(case: Case) -> Iterator[Fault]:
         )
 
 
+def search_limit_unfounded(case: Case) -> Iterator[Fault]:
+    """A search that was ended early does not say by what; a proof names something that ended it; or the seed is not the plan's."""
+    ranking = case.plan.ranking
+    certificate = ranking.certificate if ranking is not None else None
+    if certificate is None:
+        return
+    if certificate.claim == "bounded" and certificate.limit is None:
+        yield Fault(
+            "the ranking is bounded, and nothing is said to have ended the search.", found="none", needed="a limit"
+        )
+    if certificate.claim == "proven" and certificate.limit is not None:
+        limit = certificate.limit.in_words
+        yield Fault(f"the ranking is proven, and {limit} is said to have ended the search.", found=limit, needed="none")
+    seed = case.plan.provenance.seed
+    if certificate.seed is not None and certificate.seed != seed:
+        yield Fault(
+            f"the ranking was ended early with seed {certificate.seed}, and the plan was made with seed {seed}.",
+            found=str(certificate.seed),
+            needed=str(seed),
+        )
+
+
 def rank_unproven(case: Case) -> Iterator[Fault]:
     """The ranking is exact and the rank of an alternative is not proven; or a rank is proven below one that is not."""
     ranking = case.plan.ranking

@@ -12,10 +12,10 @@ from rich.table import Table
 from rich.text import Text
 
 from missiontree.allocation.flat import Flat
-from missiontree.allocation.usage import Use, uses_of
 from missiontree.formats.plain import to_plain
 from missiontree.mission.alternative import Alternative, Ranking
 from missiontree.mission.certificate import Certificate
+from missiontree.mission.limit_use import LimitUse, Whose
 from missiontree.reporting.text import MAX_LINES, reason_line, words
 
 MOST_ROWS = 20
@@ -25,6 +25,13 @@ STATUS = {
     "partial": "not all ranks proven",
     "infeasible": "proven that there is none",
     "unknown": "none found, none excluded",
+}
+WHOSE: dict[Whose, str] = {
+    "robot": "{}",
+    "robots": "all of {}",
+    "type": "all of {}",
+    "mission": "the whole mission",
+    "stock": "stock of the scene",
 }
 CLAIMS = {"proven": "proven", "bounded": "feasible, rank not proven", "unproven": "not proven"}
 
@@ -83,10 +90,9 @@ def _sections(told: Told) -> Iterator[RenderableType]:
     yield Text(f"{count} ({STATUS[ranking.status]})", style="bold")
     if found:
         yield Padding(_alternatives(found), (0, 0, 0, 2), expand=False)
-        uses = uses_of(flat, found[0])
-        if uses:
-            yield Text("What alternative 1 uses of every limit", style="bold")
-            yield Padding(_uses(uses), (0, 0, 0, 2), expand=False)
+        if found[0].uses:
+            yield Text("What alternative 1 uses of its limits", style="bold")
+            yield Padding(_uses(found[0].uses), (0, 0, 0, 2), expand=False)
     yield Text(_of_the_rest(ranking))
     yield from (reason_line(reason) for reason in ranking.reasons[:MAX_LINES])
     if len(ranking.reasons) > MAX_LINES:
@@ -139,12 +145,12 @@ def _method(certificate: Certificate) -> str:
     return certificate.method.replace("_", " ")
 
 
-def _uses(uses: tuple[Use, ...]) -> RenderableType:
+def _uses(uses: tuple[LimitUse, ...]) -> RenderableType:
     """The limits, the tightest first."""
     table = _table("who", "limit", "used", "allowed", "share", left=("who", "limit"))
     for use in sorted(uses, key=lambda use: -use.share)[:MOST_LIMITS]:
-        who = words((f"all of {use.who}" if use.who else "the whole mission") if use.together else use.who)
-        table.add_row(who, words(use.name), number(use.used), number(use.allowed), percent(use.share))
+        who = words(WHOSE[use.whose].format(use.who))
+        table.add_row(who, words(use.name), number(use.used), number(use.limit), percent(use.share))
     if len(uses) <= MOST_LIMITS:
         return table
     return Group(table, Text(f"… and {len(uses) - MOST_LIMITS} more, none tighter; --json lists them all", style="dim"))
@@ -154,9 +160,11 @@ def _of_the_rest(ranking: Ranking) -> str:
     """What is known of everything that is not listed."""
     certificate = ranking.certificate
     if certificate.bound is not None:
-        return f"What is not listed: nothing above {number(certificate.bound)}, {certificate.claim} by {_method(certificate)}."
-    detail = certificate.detail or "Nothing is known."
-    return f"What is not listed: {detail} ({certificate.claim}, by {_method(certificate)})"
+        known = f"What is not listed: nothing above {number(certificate.bound)}, {certificate.claim} by {_method(certificate)}."
+    else:
+        detail = certificate.detail or "Nothing is known."
+        known = f"What is not listed: {detail} ({certificate.claim}, by {_method(certificate)})"
+    return known if certificate.limit is None else f"{known} The search was ended by {certificate.limit.in_words}."
 
 
 def number(value: float) -> str:
@@ -190,20 +198,17 @@ def json_of(told: Told) -> str:
         "certificate": to_plain(ranking.certificate),
         "reasons": [to_plain(reason) for reason in ranking.reasons],
     }
-    lines = ",\n".join("    " + json.dumps(_plain(flat, alternative)) for alternative in ranking.alternatives)
+    lines = ",\n".join("    " + json.dumps(_plain(alternative)) for alternative in ranking.alternatives)
     listed = f"[\n{lines}\n  ]" if lines else "[]"
     return json.dumps(head, indent=2).removesuffix("\n}") + f',\n  "alternatives": {listed}\n}}\n'
 
 
-def _plain(flat: Flat, alternative: Alternative) -> dict[str, object]:
+def _plain(alternative: Alternative) -> dict[str, object]:
     return {
         "rank": alternative.rank,
         "utility": alternative.utility,
         "gap": gap_of(alternative),
         "certificate": to_plain(alternative.certificate),
-        "uses": [
-            {"who": use.who, "together": use.together, "name": use.name, "used": use.used, "allowed": use.allowed}
-            for use in uses_of(flat, alternative)
-        ],
+        "uses": [to_plain(use) for use in alternative.uses],
         "chosen": [choice.child for choice in alternative.choices],
     }

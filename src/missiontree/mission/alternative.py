@@ -8,6 +8,7 @@ from typing import Literal
 
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.limit_use import LimitUse
 from missiontree.mission.reason import Reason
 from missiontree.mission.value import Count, Id, Index, Value
 
@@ -82,6 +83,8 @@ class Alternative(Value):
         Type of every reached role, in order of role index.
     witness
         A robot per role that keeps every budget by what allocation knows; empty if nothing couples the robots.
+    uses
+        What is used of every limit of which anything is used, type by type, and at last of those of the whole mission.
     certificate
         Whether this rank is proven.
     """
@@ -91,6 +94,7 @@ class Alternative(Value):
     choices: tuple[Choice, ...]
     roles: tuple[RoleType, ...]
     witness: tuple[Assignment, ...] = ()
+    uses: tuple[LimitUse, ...] = ()
     certificate: Certificate
 
 

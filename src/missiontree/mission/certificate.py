@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from missiontree.mission.search_limit import SearchLimit
 from missiontree.mission.value import Id, Value
 
 Claim = Literal["proven", "bounded", "unproven"]
@@ -26,9 +27,15 @@ class Certificate(Value):
         No utility above it (alternatives), no makespan in seconds below it (schedules); None if no bound is known.
     detail
         A sentence for the reader.
+    limit
+        What ended the search before it was done; None if nothing did. A proof needs none.
+    seed
+        Seed of that search; None where nothing hangs on it, since a search that is done finds the same with every seed.
     """
 
     claim: Claim
     method: Id
     bound: float | None = None
     detail: str = ""
+    limit: SearchLimit | None = None
+    seed: int | None = None

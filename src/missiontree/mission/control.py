@@ -6,6 +6,8 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
+from missiontree.mission.search_limit import SearchLimit
+
 Clock = Callable[[], float]
 StopToken = Callable[[], bool]
 
@@ -59,6 +61,8 @@ class Control:
         Seed of everything random. Default 0.
     clock
         Monotonic seconds.
+    whole_limit_s
+        The limit of the whole work, if this is the control of a part of it (:meth:`part`); None (default) if it is not.
     """
 
     time_limit_s: float | None = None
@@ -66,6 +70,7 @@ class Control:
     report: Callable[[Progress], None] = silent
     seed: int = 0
     clock: Clock = time.monotonic
+    whole_limit_s: float | None = None
     started: float = field(init=False)
 
     def __post_init__(self) -> None:
@@ -79,9 +84,18 @@ class Control:
             return True
         return self.time_limit_s is not None and self.clock() - self.started >= self.time_limit_s
 
+    def ended_by(self) -> SearchLimit | None:
+        """What ends the work now, as it was set for the whole of it; None if nothing does."""
+        if not self.ended():
+            return None
+        if self.stop() or self.time_limit_s is None:
+            return SearchLimit("stopped")
+        return SearchLimit("time_s", self.time_limit_s if self.whole_limit_s is None else self.whole_limit_s)
+
     def part(self, share: float) -> Control:
         """The same control for one piece of the work, with that share of the time that is left."""
         if self.time_limit_s is None:
             return self
         left = max(0.0, self.time_limit_s - (self.clock() - self.started))
-        return replace(self, time_limit_s=left * share)
+        whole_s = self.time_limit_s if self.whole_limit_s is None else self.whole_limit_s
+        return replace(self, time_limit_s=left * share, whole_limit_s=whole_s)

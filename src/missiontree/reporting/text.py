@@ -17,8 +17,10 @@ from missiontree.mission.plan import Outcome, Plan
 from missiontree.mission.reason import Reason, Severity
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.escape import one_line
+from missiontree.reporting.limit_lines import limit_lines
 from missiontree.reporting.references import refuse_dangling
 from missiontree.reporting.spent_view import author_in_words
+from missiontree.reporting.team.limits import limits_of
 from missiontree.reporting.timeline.view import timeline
 from missiontree.reporting.tree.view import tree_text
 
@@ -83,6 +85,7 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
         yield from _titled(_ranking_title(plan.ranking), [alternatives_table(plan)])
         yield from _titled("Without a schedule", list(_unscheduled(plan)))
         best = best_scheduled(plan)
+        yield from _titled(*_limits_of(plan, best))
         if best is not None:
             deadline_s = plan.grounding.tree.nodes[0].deadline_s
             due = "" if deadline_s is None else f" (due by {deadline_s:g} s)"
@@ -94,6 +97,14 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
     yield from _remarks("Look at", plan.findings)
     yield from _remarks("Done on your behalf", plan.notices)
     yield from _remarks("Assumed", plan.assumptions)
+
+
+def _limits_of(plan: Plan, schedule: Schedule | None) -> tuple[str, list[RenderableType]]:
+    """What the scheduled alternative, or else the first, uses of limits."""
+    assert plan.ranking is not None
+    rank = schedule.rank if schedule is not None else 1
+    limits = limits_of(plan, plan.ranking.alternatives[rank - 1], schedule)
+    return f"What alternative {rank} uses of its limits", [words(line) for line in limit_lines(limits)]
 
 
 def _titled(title: str, body: Sequence[RenderableType]) -> Iterator[RenderableType]:
@@ -192,7 +203,9 @@ def _ranking_title(ranking: Ranking) -> str:
         "infeasible": "none exists",
         "unknown": "none found",
     }[ranking.status]
-    return f"{count} alternative{'s' if count != 1 else ''}, best first ({known})"
+    limit = ranking.certificate.limit
+    ended = "" if limit is None else f", ended by {limit.in_words}"
+    return f"{count} alternative{'s' if count != 1 else ''}, best first ({known}{ended})"
 
 
 def _known(schedule: Schedule) -> str:

@@ -80,7 +80,9 @@ def _proofs(plan: Plan) -> Iterator[Proof]:
 
 def _proof(what: str, says: str, certificate: Certificate, bound: str) -> Proof:
     method = certificate.method.replace("_", " ")
-    return Proof(what, says, _CLAIMS[certificate.claim], method, bound, certificate.detail)
+    ended = "" if certificate.limit is None else f"Ended by {certificate.limit.in_words}."
+    detail = " ".join(part for part in (certificate.detail, ended) if part)
+    return Proof(what, says, _CLAIMS[certificate.claim], method, bound, detail)
 
 
 def _utility(bound: float | None) -> str:

@@ -6,12 +6,14 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from missiontree.mission.alternative import Alternative, selected_leaves
+from missiontree.mission.alternative import Alternative
 from missiontree.mission.fleet import RobotType
+from missiontree.mission.limit_use import LimitUse as Promised
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.escape import one_line
 
+MISSION, STOCK = "the whole mission", "stock of the scene"
 Use = Mapping[tuple[str, str], float]
 """Amounts by robot, or robot type, and name of the limit."""
 
@@ -49,8 +51,8 @@ def limits_of(plan: Plan, alternative: Alternative, schedule: Schedule | None) -
     """
     Limits that an alternative uses, in the order of the fleet, and at last those of the whole mission.
 
-    By its schedule, if it has one: what its robots do and every metre they travel. Else by the witness of allocation, robot by robot. Else
-    all robots of a type together, against the sum of what they have. Limits that nothing uses are left out.
+    By its schedule, if it has one: what its robots do and every metre they travel. Else what allocation knows, which is a lower bound.
+    Limits that nothing uses are left out.
 
     Parameters
     ----------
@@ -61,11 +63,19 @@ def limits_of(plan: Plan, alternative: Alternative, schedule: Schedule | None) -
     """
     if schedule is not None:
         used = _scheduled(plan, schedule)
-        return (*_by_robot(plan, used, at_least=False), *_of_mission(plan, used, at_least=False))
-    robots = {assignment.role: assignment.robot for assignment in alternative.witness}
-    used = _promised(plan, alternative, robots)
-    told = _by_robot(plan, used, at_least=True) if robots else _by_type(plan, used)
-    return (*told, *_of_mission(plan, used, at_least=True))
+        return (*_by_robot(plan, used), *_of_mission(plan, used))
+    return tuple(
+        LimitUse(_holder(plan, use), use.name, use.used, use.limit, at_least=True)
+        for use in alternative.uses
+        if use.used > 0
+    )
+
+
+def _holder(plan: Plan, use: Promised) -> str:
+    kind = plan.brief.fleet.by_id.get(use.who)
+    if use.whose in {"robots", "type"}:
+        return _all(kind) if kind is not None else one_line(use.who)
+    return {"mission": MISSION, "stock": STOCK}.get(use.whose, one_line(use.who))
 
 
 def _scheduled(plan: Plan, schedule: Schedule) -> Use:
@@ -81,18 +91,7 @@ def _scheduled(plan: Plan, schedule: Schedule) -> Use:
     return used
 
 
-def _promised(plan: Plan, alternative: Alternative, robots: Mapping[int, str]) -> Use:
-    """What is used whatever the schedule, by robot if roles have one, else by type."""
-    assert plan.grounding is not None
-    used: dict[tuple[str, str], float] = defaultdict(float)
-    for leaf in selected_leaves(plan.grounding.tree, alternative.choices):
-        action = plan.grounding.tree.action(leaf)
-        for name, amount in (action.uses_at_least or action.uses).items():
-            used[robots.get(action.role, action.robot_type), name] += amount
-    return used
-
-
-def _by_robot(plan: Plan, used: Use, *, at_least: bool) -> Iterator[LimitUse]:
+def _by_robot(plan: Plan, used: Use) -> Iterator[LimitUse]:
     busy = {robot for robot, _ in used}
     for kind in plan.brief.fleet.types:
         members = [robot for robot in kind.members if robot.id in busy]
@@ -100,36 +99,27 @@ def _by_robot(plan: Plan, used: Use, *, at_least: bool) -> Iterator[LimitUse]:
             for name in dict.fromkeys((*kind.limits, *robot.remaining)):
                 allowed = kind.budget(robot, name)
                 if allowed is not None and (amount := used.get((robot.id, name), 0.0)) > 0:
-                    yield LimitUse(one_line(robot.id), name, amount, allowed, at_least)
+                    yield LimitUse(one_line(robot.id), name, amount, allowed, at_least=False)
         yield from _totals(
-            kind, {name: _sum(used, [robot.id for robot in members], name) for name in kind.total_limits}, at_least
+            kind, {name: _sum(used, [robot.id for robot in members], name) for name in kind.total_limits}
         )
 
 
-def _by_type(plan: Plan, used: Use) -> Iterator[LimitUse]:
-    for kind in plan.brief.fleet.types:
-        for name in kind.limits:
-            if (amount := used.get((kind.id, name), 0.0)) > 0:
-                allowed = sum(kind.budget(robot, name) or 0.0 for robot in kind.members)
-                yield LimitUse(_all(kind), name, amount, allowed, at_least=True)
-        yield from _totals(kind, {name: used.get((kind.id, name), 0.0) for name in kind.total_limits}, at_least=True)
-
-
-def _totals(kind: RobotType, used: Mapping[str, float], at_least: bool) -> Iterator[LimitUse]:
+def _totals(kind: RobotType, used: Mapping[str, float]) -> Iterator[LimitUse]:
     for name, allowed in kind.total_limits.items():
         if used[name] > 0:
-            yield LimitUse(_all(kind), name, used[name], allowed, at_least)
+            yield LimitUse(_all(kind), name, used[name], allowed, at_least=False)
 
 
-def _of_mission(plan: Plan, used: Use, *, at_least: bool) -> Iterator[LimitUse]:
+def _of_mission(plan: Plan, used: Use) -> Iterator[LimitUse]:
     for who, limits in (
-        ("the whole mission", plan.brief.fleet.total_limits),
-        ("stock of the scene", plan.brief.world.stock),
+        (MISSION, plan.brief.fleet.total_limits),
+        (STOCK, plan.brief.world.stock),
     ):
         for name, allowed in limits.items():
             amount = sum(taken for (_, what), taken in used.items() if what == name)
             if amount > 0:
-                yield LimitUse(who, name, amount, allowed, at_least)
+                yield LimitUse(who, name, amount, allowed, at_least=False)
 
 
 def _sum(used: Use, robots: Sequence[str], name: str) -> float:
