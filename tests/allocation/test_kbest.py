@@ -73,7 +73,8 @@ def test_refusals_are_counted_not_listed() -> None:
     )
     result = rank(tree)
     assert (result.status, result.certificate.claim, result.examined) == ("infeasible", "proven", 4)
-    (reason,) = result.reasons
+    clash, reason = result.reasons
+    assert clash.rule == "limits_clash"
     assert (reason.rule, reason.robot, reason.severity) == ("too_few_robots", "r", "error")
     assert reason.message.startswith("4 candidates were refused.")
 

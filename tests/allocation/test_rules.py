@@ -183,10 +183,10 @@ def test_the_reason_names_how_many_may_be_in_use() -> None:
     """Two loads of 4 J and one of 3: each of the three robots with 5 J takes one, and two of them cannot take all."""
     ranking = ranked("exact", loads(4, 4, 3), named("p", "q", "s", energy=(5, 5, 5), max_in_use=2))
     # 11 J are wanted and the best two have 10: that is told first, as a budget.
-    assert [reason.rule for reason in ranking.reasons] == ["budget_exceeded"]
+    assert [reason.rule for reason in ranking.reasons] == ["limits_clash", "budget_exceeded"]
     ranking = ranked("exact", loads(4, 4, 4), named("p", "q", "s", energy=(6, 6, 6), max_in_use=2))
-    assert [reason.rule for reason in ranking.reasons] == ["max_in_use_exceeded"]
-    assert "out to at most 2 robots of type r" in ranking.reasons[0].message
+    assert [reason.rule for reason in ranking.reasons] == ["limits_clash", "max_in_use_exceeded"]
+    assert "out to at most 2 robots of type r" in ranking.reasons[1].message
 
 
 def test_a_team_needs_robots_that_may_be_in_use() -> None:
@@ -211,7 +211,8 @@ def test_a_required_robot_is_handed_a_role(allocator: str) -> None:
 def test_more_robots_required_than_there_are_roles_is_impossible() -> None:
     ranking = ranked("exact", loads(0), named("p", "q"), Terms(require=("p", "q")))
     assert (ranking.status, ranking.examined) == ("infeasible", 0)
-    (reason,) = ranking.reasons
+    clash, reason = ranking.reasons
+    assert clash.message == "Together these cannot be kept: p must take part, and q must take part."
     assert (reason.rule, reason.found, reason.needed) == ("required_idle", "1 role", "at least 2 roles")
     assert reason.message == "The mission requires p and q, and robots of type r fill 1 role at most."
 
@@ -219,8 +220,8 @@ def test_more_robots_required_than_there_are_roles_is_impossible() -> None:
 def test_a_required_robot_that_is_too_weak_for_every_load_is_told() -> None:
     """Loads of 4 J; p has 3."""
     ranking = ranked("exact", loads(4, 4), named("p", "q", energy=(3, 9)), Terms(require=("p",)))
-    assert (ranking.status, ranking.reasons[0].rule) == ("infeasible", "required_idle")
-    assert "p must take part" in ranking.reasons[0].message
+    assert (ranking.status, ranking.reasons[1].rule) == ("infeasible", "required_idle")
+    assert "p must take part" in ranking.reasons[1].message
 
 
 def test_a_required_type_with_nothing_to_do_is_told_before_the_search() -> None:

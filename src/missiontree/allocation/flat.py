@@ -17,7 +17,7 @@ from typing import Literal
 from missiontree.allocation.timing import Timing, timing_of
 from missiontree.errors import InputError
 from missiontree.mission.estimate import Estimate, Weights
-from missiontree.mission.fleet import Fleet, RobotType
+from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.grounded import GroundedTree, NodeKind
 from missiontree.mission.terms import NO_TERMS, Terms
 
@@ -46,6 +46,8 @@ class Stock:
         How many different robots may take part; None (default) means all.
     required
         Positions of robots each of which must take part. Default none.
+    left_out
+        Robots that the mission leaves out by name, with what each could use; they are no part of the other fields. Default none.
     """
 
     robots: tuple[str, ...]
@@ -53,6 +55,7 @@ class Stock:
     totals: Mapping[str, int]
     max_in_use: int | None = None
     required: tuple[int, ...] = ()
+    left_out: Mapping[str, Mapping[str, int]] = field(default_factory=dict)
 
     @property
     def usable(self) -> int:
@@ -191,7 +194,7 @@ def flatten(tree: GroundedTree | Flat, fleet: Fleet, weights: Weights, terms: Te
     """
     if isinstance(tree, Flat):
         return tree
-    stocks = _stocks(tree, terms.team_of(fleet), terms.required_robots(fleet))
+    stocks = _stocks(tree, fleet, terms)
     used_names = {name for node in tree.nodes if node.action is not None for name in node.action.uses_at_least}
     shared = _shared(used_names, fleet, terms)
     limited = {name: frozenset(stock.totals).union(shared, *stock.budgets) for name, stock in stocks.items()}
@@ -261,32 +264,37 @@ def _shared(used: Iterable[str], fleet: Fleet, terms: Terms) -> dict[str, Shared
     return found
 
 
-def _stocks(tree: GroundedTree, fleet: Fleet, required: tuple[str, ...]) -> dict[str, Stock]:
+def _stocks(tree: GroundedTree, fleet: Fleet, terms: Terms) -> dict[str, Stock]:
+    team, required = terms.team_of(fleet), terms.required_robots(fleet)
     named = dict.fromkeys(node.action.robot_type for node in tree.nodes if node.action is not None)
     used: dict[str, set[str]] = {name: set() for name in named}
     for node in tree.nodes:
         if node.action is not None:
             used[node.action.robot_type].update(node.action.uses_at_least)
     for name in named:
-        if name not in fleet.by_id:
+        if name not in team.by_id:
             raise InputError(
                 f"the tree has actions of robot type {name!r}, which the fleet does not have",
-                accepted=", ".join(fleet.by_id),
+                accepted=", ".join(team.by_id),
             )
-    return {name: _stock(fleet.by_id[name], sorted(used[name]), required) for name in named}
+    return {name: _stock(team.by_id[name], fleet.by_id[name], sorted(used[name]), required) for name in named}
 
 
-def _stock(robot_type: RobotType, names: list[str], required: tuple[str, ...]) -> Stock:
-    members = robot_type.members
-    budgets = []
-    for robot in members:
+def _stock(robot_type: RobotType, whole: RobotType, names: list[str], required: tuple[str, ...]) -> Stock:
+    """What is there of a type, and of the whole of it what is left out."""
+
+    def budget_of(robot: Robot) -> dict[str, int]:
         found = {name: robot_type.budget(robot, name) for name in names}
-        budgets.append({name: amount(limit) for name, limit in found.items() if limit is not None})
+        return {name: amount(limit) for name, limit in found.items() if limit is not None}
+
+    members = robot_type.members
+    there = {robot.id for robot in members} if whole is not robot_type else set()
     totals = {name: amount(robot_type.total_limits[name]) for name in names if name in robot_type.total_limits}
     return Stock(
         robots=tuple(robot.id for robot in members),
-        budgets=tuple(budgets),
+        budgets=tuple(budget_of(robot) for robot in members),
         totals=totals,
-        max_in_use=robot_type.max_in_use if robot_type.usable < len(members) else None,
+        max_in_use=robot_type.max_in_use if whole.usable < len(whole.members) else None,
         required=tuple(place for place, robot in enumerate(members) if robot.id in required),
+        left_out={robot.id: budget_of(robot) for robot in whole.members if there and robot.id not in there},
     )

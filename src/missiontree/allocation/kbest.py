@@ -15,6 +15,7 @@ from functools import partial
 from typing import NamedTuple
 
 from missiontree.allocation.arrays.ways import Draft
+from missiontree.allocation.clash_wording import with_clash
 from missiontree.allocation.core import core_of
 from missiontree.allocation.coupling import couples
 from missiontree.allocation.feasibility import DEFAULT_STEPS, Feasibility
@@ -22,6 +23,7 @@ from missiontree.allocation.first_ways import ways_in_order
 from missiontree.allocation.flat import Flat, flatten
 from missiontree.allocation.pool import fill
 from missiontree.allocation.possible import Possibility, possible_nodes, reasons_of
+from missiontree.allocation.preorder import preorder
 from missiontree.allocation.purses import purses_of
 from missiontree.allocation.rounds import Rounds
 from missiontree.allocation.search import BY_BOUNDS, Search
@@ -68,6 +70,9 @@ class ExactKBest:
         """See :class:`missiontree.allocation.allocator.Allocator`."""
         require_count(k)
         flat = flatten(tree, fleet, weights)
+        return with_clash(self._ranked(flat, k, control), flat, control)
+
+    def _ranked(self, flat: Flat, k: int, control: Control) -> Ranking:
         if not couples(flat):
             return self._uncoupled(flat, k, control)
         possibility = possible_nodes(flat)
@@ -201,14 +206,3 @@ class _Road:
             self.search.bound_by(candidate.utility)
             candidate.look()
         return self.search.full
-
-
-def preorder(flat: Flat) -> list[int]:
-    """Place of each node in preorder."""
-    rank, stack, count = [0] * len(flat.kind), [0], 0
-    while stack:
-        node = stack.pop()
-        rank[node] = count
-        count += 1
-        stack.extend(flat.children[node][::-1])
-    return rank
