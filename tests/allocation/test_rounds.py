@@ -14,9 +14,9 @@ from missiontree.allocation.columns import flat_of_columns
 from missiontree.allocation.compiled import PLAIN, Engine, fast_engine
 from missiontree.allocation.core import core_of
 from missiontree.allocation.feasibility import Feasibility
-from missiontree.allocation.preorder import preorder
 from missiontree.allocation.pool import Pool
 from missiontree.allocation.possible import possible_nodes
+from missiontree.allocation.preorder import preorder
 from missiontree.allocation.purses import purses_of
 from missiontree.allocation.rounds import Rounds, least_utility
 from missiontree.formats.importers.tree_json import columns_of

@@ -13,8 +13,8 @@ from missiontree.allocation.compiled import PLAIN
 from missiontree.allocation.core import Core, core_of
 from missiontree.allocation.exhaustive import every_selection
 from missiontree.allocation.flat import Flat, flatten
-from missiontree.allocation.preorder import preorder
 from missiontree.allocation.possible import possible_nodes
+from missiontree.allocation.preorder import preorder
 from missiontree.allocation.purses import Purses, purses_of
 from missiontree.allocation.searched import Scale, Searched, scale_of
 from missiontree.mission.estimate import Weights

@@ -154,3 +154,34 @@ def test_a_plan_without_a_grounded_tree_is_refused(shell: Shell) -> None:
     ran = shell("rank", "plan.json")
     assert ran.code == 2
     assert "no grounded tree" in ran.err
+
+
+def test_what_ended_the_search_is_told(shell: Shell, tmp_path: Path) -> None:
+    file = written(tmp_path, instance("mission", 300, 6, 0))
+    ran = shell("rank", file, "--time-limit", "0")
+    assert "The search was ended by the time limit of 0 s." in " ".join(ran.out.split())
+    certificate = json.loads(shell("rank", file, "--time-limit", "0", "--seed", "7", "--json").out)["certificate"]
+    assert (certificate["claim"], certificate["limit"], certificate["seed"]) == (
+        "bounded",
+        {"kind": "time_s", "most": 0},
+        7,
+    )
+
+
+def test_limits_that_clash_are_told_first(shell: Shell, tmp_path: Path) -> None:
+    """Either leaf uses 5: robot 0 may use 3, and robot 1 may use 4."""
+    tree = {
+        "kind": [2, 0, 0],
+        "parent": [-1, 0, 0],
+        "robot": [0, 0, 1],
+        "utility": [0, 1, 1],
+        "consumption": [0, 5, 5],
+        "robots": 2,
+        "budget": [3, 4],
+    }
+    ran = shell("rank", written(tmp_path, tree))
+    assert ran.code == 1
+    assert (
+        "✗ Together these cannot be kept: consumption of type robot-0 (3, 1 robot), and consumption of type robot-1 (4, 1 robot)."
+        in " ".join(ran.out.split())
+    )
