@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from hypothesis import given, settings
+
+from benchmarks.random_trees import Case
 from missiontree.allocation.columns import flat_of_columns
+from missiontree.allocation.exhaustive import Exhaustive
 from missiontree.allocation.flat import flatten
 from missiontree.allocation.kbest import ExactKBest
 from missiontree.allocation.usage import Usage
 from missiontree.formats.importers.tree_grounded import fleet_of, grounded_of
-from missiontree.mission.alternative import Alternative
+from missiontree.mission.alternative import Alternative, selected_leaves
 from missiontree.mission.columns import WEIGHTS
 from missiontree.mission.control import Control
 from missiontree.mission.estimate import Estimate, Weights
@@ -18,6 +22,7 @@ from missiontree.mission.grounded import Action, GroundedNode, GroundedTree, Rol
 from missiontree.mission.limit_use import LimitUse
 from missiontree.mission.terms import NO_TERMS, Terms
 from tests.formats.tree_files import read, small
+from tests.strategies import cases
 
 
 def test_each_robot_is_told_of_beside_its_budget() -> None:
@@ -107,3 +112,14 @@ def test_something_of_nothing_is_all_of_it() -> None:
     assert LimitUse("robot", "a", "x", 0.0, 0.0).share == 0.0
     assert LimitUse("robot", "a", "x", 1.0, 0.0).share == 1.0
     assert LimitUse("robot", "a", "x", 1.0, 4.0).share == 0.25
+
+
+@settings(max_examples=60, deadline=None)
+@given(cases())
+def test_what_is_counted_on_from_one_alternative_to_the_next_is_what_each_uses_by_itself(case: Case) -> None:
+    flat = case.flat
+    for alternative in Exhaustive()(flat, case.fleet, case.weights, 40, Control()).alternatives:
+        leaves = selected_leaves(case.tree, alternative.choices)
+        robots = {filled.role: filled.robot for filled in alternative.witness}
+        assert alternative.uses == Usage(flat).of(leaves, robots)
+        assert all(use.used <= use.limit for use in alternative.uses)
