@@ -20,7 +20,7 @@ def named_in(stage: str) -> set[str]:
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
             if isinstance(node, ast.keyword) and node.arg == "method" and isinstance(node.value, ast.Constant):
                 found.add(str(node.value.value))
-            if isinstance(node, ast.Return) and isinstance(node.value, ast.Tuple):
+            if isinstance(node, ast.Return) and isinstance(node.value, ast.Tuple) and node.value.elts:
                 first = node.value.elts[0]
                 if isinstance(first, ast.Constant) and isinstance(first.value, str) and stage == "scheduling":
                     found.add(first.value)
