@@ -148,7 +148,7 @@ class _Road:
         if self._plainly(settings.max_examined, patience):
             return search.finished()
         if search.referee is None and len(self.flat.kind) >= LARGE:
-            return search.finished() if self._hurriedly() else search.stopped()
+            return search.finished() if self._hurriedly() else search.stopped(self._limit(0))
         purses = purses_of(self.flat, self.possible)
         core = core_of(self.flat, self.possible, purses)
         rounds = Rounds(
