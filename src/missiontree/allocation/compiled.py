@@ -10,9 +10,9 @@ from importlib.util import find_spec
 from types import FunctionType, ModuleType
 from typing import Any
 
-from missiontree.allocation.kernel import branching, columns, finishing, mending, pricing
+from missiontree.allocation.kernel import branching, columns, finishing, mending, oscillating, pairing, pricing
 
-SOURCES = (pricing, mending, finishing, branching)
+SOURCES = (pricing, mending, pairing, oscillating, finishing, branching)
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,6 +29,9 @@ TRIED_PLAIN = 150  # nodes at the slow speed before the fast one is taken
 SLICES = {True: 2_000, False: 10}  # nodes between two looks at the clock
 MENDING = {True: 50_000_000, False: 50_000}  # parts looked at by exchanges
 FEWEST_PASSES, MOST_PASSES = 20, 1_000
+GIANT = 20_000  # parts of a core in which exchanges do more than searching
+MENDING_ON = {True: 2_000_000_000, False: 10_000_000}  # parts looked at by exchanges in such cores
+MENDED_AT_ONCE = 20  # passes between two looks at the clock
 UNAIDED = 300  # nodes without k ways found, after which cheap methods are to find some
 RAISED = (102, 106, 115, 140)  # per cent of the best prices; the higher, the more careful the advice
 GROWTH = 0.5  # of the depth of a round, while nothing is found
@@ -82,6 +85,7 @@ class Rounds:
         self.prices = self.base.prices
         self.nodes, self.max_nodes, self.hands = 0, max_nodes, hands
         self._started: list[Way] | None = None
+        self._mended = False
 
     def run(self) -> bool:
         """Whether the pool holds the k best, or all there are, and their order is settled."""
@@ -127,6 +131,18 @@ class Rounds:
             )
         return self._started
 
+    def _mend_on(self) -> None:
+        """Go on with exchanges, once: so many choices are not searched to the end, but ways get better for a long time."""
+        if self._mended:
+            return
+        self._mended, best = True, None
+        for _ in range(MENDING_ON[self.base.engine.fast] // (MENDED_AT_ONCE * len(self.core))):
+            if self.control.ended():
+                break
+            best = self.base.mended(MENDED_AT_ONCE, fresh=False) or best
+        if best is not None:
+            self.pool.offer(self.core.taken(best))
+
     def _round(self, wanted: int) -> Ended:
         """Find all ways with that utility, or with that of the k-th best if it is more."""
         core = self.base.narrowed(wanted)
@@ -158,6 +174,8 @@ class Rounds:
                     continue
                 if self.nodes >= UNAIDED and self.pool.kth is None:
                     self.start()
+                if self.nodes >= UNAIDED and len(self.core) >= GIANT:
+                    self._mend_on()
                 if self._given_up(engine):
                     self.bound = max(wanted - 1, self.pool.kth or wanted - 1, crew.bound(above))
                     return "stopped"

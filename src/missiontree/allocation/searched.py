@@ -18,6 +18,7 @@ from typing import Any
 from missiontree.allocation.compiled import Engine
 from missiontree.allocation.core import Core, Way, narrowed
 from missiontree.allocation.kernel.columns import (
+    CHAIN,
     DEPTH,
     FEW,
     FEW_PURSES,
@@ -140,9 +141,7 @@ class Searched:
 
     def narrowed(self, utility: int) -> Core | None:
         """The core of all ways with at least that utility, as far as the prices tell; None if there is none."""
-        for edge in range(len(self.room.alive)):
-            self.room.alive[edge] = 1
-        self.room.numbers[TRAIL] = 0
+        self._take_back()
         target = self.scale.up(utility)
         self.engine.reach(self.tree, self.room)
         if self.engine.shrink(self.tree, self.room, target) < target:
@@ -153,6 +152,12 @@ class Searched:
             for part, options in enumerate(self.core.options)
         ]
         return narrowed(self.core, kept)
+
+    def _take_back(self) -> None:
+        """Make all options stand again."""
+        for edge in range(len(self.room.alive)):
+            self.room.alive[edge] = 1
+        self.room.numbers[TRAIL] = 0
 
     def branch(self, target: int, steps: int, in_order: bool, nodes: int) -> int:
         """See :func:`missiontree.allocation.kernel.branching.branch`; the target is scaled."""
@@ -196,14 +201,25 @@ class Searched:
         """The way that was told last."""
         return self._way(self.room.candidate)
 
-    def mended(self, passes: int) -> Way | None:
-        """A good way within the purses, near what the prices advise; None if none is met in so many passes."""
-        if self.engine.mend(self.tree, self.room, passes) == NEG:
+    def mended(self, passes: int, fresh: bool = True) -> Way | None:
+        """
+        A good way within the purses, near what the prices advise; None if none is met in so many passes.
+
+        Parameters
+        ----------
+        passes
+            Over all picks.
+        fresh
+            Whether to begin anew; else it goes on from the last call, and only what is better than the best so far is told.
+        """
+        self._take_back()
+        if self.engine.mend(self.tree, self.room, passes, fresh) == NEG:
             return None
         return self.candidate()
 
     def advised(self, per_cent: int = 100) -> list[int]:
         """By pick, the index of the option that so many per cent of the prices advise."""
+        self._take_back()
         self.engine.reach(self.tree, self.room)
         prices = self.engine.column([int(price) * per_cent // 100 for price in self.room.prices])
         self.engine.sweep(self.tree, self.room, prices)
@@ -290,6 +306,11 @@ def _room(tree: Tree, engine: Engine, prices: Sequence[int], deep: bool) -> Room
         level_used=blank((levels + 1) * max(1, purses)),
         kept=engine.column([*range(parts), *[0] * (3 * parts if deep else 0)]),
         kept_tops=engine.column([parts - 1, *[0] * (3 * parts if deep else 0)]),
+        on_way=blank(0 if deep else parts),
+        over=blank(0 if deep else parts),
+        user_head=blank(0 if deep else purses),
+        user_next=blank(0 if deep else len(tree.use_purse)),
+        user_pick=blank(0 if deep else len(tree.use_purse)),
         seen=blank(parts),
         way=blank(parts),
         other_way=blank(parts),
@@ -303,6 +324,12 @@ def _room(tree: Tree, engine: Engine, prices: Sequence[int], deep: bool) -> Room
         frame_bound=blank(depth),
         frame_level=blank(depth),
         frame_prices=blank(depth * max(1, purses)),
+        chain_pick=blank(CHAIN),
+        chain_was=blank(CHAIN),
+        chain_entry=blank(CHAIN),
+        chain_option=blank(CHAIN),
+        chain_purse=blank(CHAIN),
+        chain_gain=blank(CHAIN),
         end_edge=blank(FEW),
         end_slack=blank(FEW),
         end_used=blank((FEW + 1) * FEW_PURSES),
@@ -310,5 +337,5 @@ def _room(tree: Tree, engine: Engine, prices: Sequence[int], deep: bool) -> Room
         end_most=blank((FEW + 1) * FEW_PURSES),
         trail=blank(edges + 1),
         remembered=blank(REMEMBERED, -1),
-        numbers=blank(12),
+        numbers=blank(13),
     )

@@ -9,13 +9,16 @@ NEG = -(1 << 62)  # no way; every real sum is far from it
 HALF_NEG = -(1 << 61)
 
 # Places in Room.numbers, which survives from one call to the next.
-PHASE, DEPTH, NODES, TRAIL, ACTIVE, BOUND, CANDIDATE, MARGIN, TOUCHED, TOPS, BASE, LEVEL = range(12)
+PHASE, DEPTH, NODES, TRAIL, ACTIVE, BOUND, CANDIDATE, MARGIN, TOUCHED, TOPS, BASE, LEVEL, BEST_MENDED = range(13)
 EVALUATE, SHRINK, BACKTRACK = 0, 1, 2
 FINISHED, MET, LAST, PAUSED = 0, 1, 2, 3
 
 FEW = 40  # open picks of a corner that is tried out
 FEW_PURSES = 48
 TRIES = 3_000
+
+CHAIN = 6  # picks that make room for one another
+CHAIN_TRIES = 200
 
 
 class Tree(NamedTuple):
@@ -82,10 +85,15 @@ class Room(NamedTuple):
         By level of the search: where its lists of parts and of tops begin, and what is settled beside them; see :func:`reach`.
     kept, kept_tops
         Those lists, one behind the other.
+    on_way, over, user_head, user_next, user_pick
+        What exchanges of two picks need: which parts are on the way, the uppermost pick over each, and the picks that use a purse.
     seen, way, other_way, used, drift, touched, listed
         Scratch.
     frame_edge, frame_open, frame_trail, frame_bound, frame_level, frame_prices
         By depth: the option taken first, whether the others are still to be searched, the trail before, a bound, the level, the prices.
+    chain_pick, chain_was, chain_entry, chain_option, chain_purse, chain_gain
+        The chain of exchanges that is tried: by depth, who was changed and from which option, whom and which option to try next, which
+        purse is overdrawn, and what is gained so far.
     end_edge, end_slack, end_used, end_least, end_most
         What trying out the last picks needs, by pick or by pick and purse.
     trail
@@ -112,6 +120,11 @@ class Room(NamedTuple):
     level_used: list[int]
     kept: list[int]
     kept_tops: list[int]
+    on_way: list[int]
+    over: list[int]
+    user_head: list[int]
+    user_next: list[int]
+    user_pick: list[int]
     seen: list[int]
     way: list[int]
     other_way: list[int]
@@ -125,6 +138,12 @@ class Room(NamedTuple):
     frame_bound: list[int]
     frame_level: list[int]
     frame_prices: list[int]
+    chain_pick: list[int]
+    chain_was: list[int]
+    chain_entry: list[int]
+    chain_option: list[int]
+    chain_purse: list[int]
+    chain_gain: list[int]
     end_edge: list[int]
     end_slack: list[int]
     end_used: list[int]

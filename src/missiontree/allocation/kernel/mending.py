@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from missiontree.allocation.kernel.columns import MARGIN, NEG, PICK, TOUCHED, Room, Tree
-from missiontree.allocation.kernel.pricing import fits, follow, reach, sweep, tell, walk
+from missiontree.allocation.kernel.columns import PICK, TOUCHED, Room, Tree
+from missiontree.allocation.kernel.pricing import walk
 
 
 def weigh(tree: Tree, room: Room, top: int, sign: int) -> int:
@@ -83,36 +83,3 @@ def exchange(tree: Tree, room: Room) -> int:
         way[count] = below[at]
         count += 1
     return changed
-
-
-def mend(tree: Tree, room: Room, passes: int) -> int:
-    """
-    Look for good ways within the purses near the one that the prices advise, by exchanges under fines for overdrawn purses.
-
-    Fines rise while a purse is overdrawn, and all fall when nothing more is to be gained within the purses, so that the search goes
-    back and forth over their limits (strategic oscillation: Glover, "Heuristics for integer programming using surrogate constraints",
-    1977). Returns the scaled utility of the best way, which becomes the candidate; ``NEG`` if there is none.
-    """
-    limits, prices, fines, used, caps = tree.limits, room.prices, room.trial, room.used, tree.caps
-    purses = len(limits)
-    reach(tree, room)
-    sweep(tree, room, prices)
-    follow(tree, room)
-    for purse in range(purses):
-        fines[purse] = prices[purse]
-    best = NEG
-    for _ in range(passes):
-        changed = exchange(tree, room)
-        earned = follow(tree, room)
-        if fits(tree, room):
-            if earned > best:
-                best = earned
-                tell(tree, room)
-            if changed == 0:
-                for purse in range(purses):
-                    fines[purse] = max(prices[purse] // 2, fines[purse] * 3 // 4)
-        else:
-            for purse in range(purses):
-                if used[purse] > limits[purse]:
-                    fines[purse] = min(caps[purse], fines[purse] + fines[purse] // 4 + room.numbers[MARGIN])
-    return best
