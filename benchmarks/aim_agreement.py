@@ -15,12 +15,13 @@ from __future__ import annotations
 import argparse
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from itertools import product
 from random import Random
 from typing import NamedTuple
 
+from benchmarks.random_rules import RULES
 from benchmarks.random_trees import Case, random_case
 from missiontree.allocation.aimed import reaching
 from missiontree.allocation.allocator import Allocator
@@ -31,7 +32,6 @@ from missiontree.errors import InputError
 from missiontree.mission.aim import PLAIN_AIM, Accumulate, Aim
 from missiontree.mission.alternative import Alternative, Ranking, selected_leaves
 from missiontree.mission.control import Control
-from missiontree.mission.estimate import MICRO
 
 EVERYTHING = 10**9
 HOWS: tuple[Accumulate, ...] = ("sum", "mean", "min")
@@ -65,7 +65,7 @@ def main() -> None:
     given = parser.parse_args()
     began, counts, faults = time.perf_counter(), Counter[str](), list[str]()
     for index in range(given.count):
-        case = random_case(Random(f"aims:{given.seed}:{index}"))  # noqa: S311 - luck for tests, not for secrets
+        case = numbered_case(given.seed, index)
         for aim in AIMS:
             counts["lists"] += 1
             faults += [
@@ -77,11 +77,17 @@ def main() -> None:
         raise SystemExit(1)
 
 
-def judge(case: Case, aim: Aim, k: int) -> Iterator[Fault]:
-    """What is wrong with lists for an aim."""
+def numbered_case(seed: int, index: int) -> Case:
+    """The case of that number; every second one is under one rule for the whole mission, each rule in its turn."""
+    rng = Random(f"aims:{seed}:{index}")  # noqa: S311 - luck for tests, not for secrets
+    return random_case(rng, (tuple(RULES)[index // 2 % len(RULES)],) if index % 2 else None)
+
+
+def judge(case: Case, aim: Aim, k: int, chosen: Iterable[tuple[str, Allocator]] | None = None) -> Iterator[Fault]:
+    """What is wrong with lists for an aim, by some searches; by default, by all of :func:`searches`."""
     flat = case.flat
     truth = truth_of(case, aim)
-    for name, by_sum in searches(k):
+    for name, by_sum in searches(k) if chosen is None else chosen:
         try:
             result = reaching(aim, by_sum)(flat, case.fleet, case.weights, k, Control())
         except InputError:

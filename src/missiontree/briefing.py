@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from missiontree.authoring.budgets import Budgets
 from missiontree.errors import InputError
@@ -15,6 +15,7 @@ from missiontree.formats.document import read_file
 from missiontree.formats.mission_file import MissionFile
 from missiontree.formats.source import clean
 from missiontree.llm.chat import ChatModel
+from missiontree.mission.aim import Accumulate
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Fleet
@@ -108,6 +109,8 @@ def request_from(
     require: Sequence[str] = (),
     min_quality: MinQuality | None = None,
     estimator: Estimator | Callable[..., Estimate] | Path | str | None = None,
+    accumulate: Accumulate | None = None,
+    diverse: bool | None = None,
     project: Path | None = None,
     **options: Any,
 ) -> Request:
@@ -125,7 +128,7 @@ def request_from(
         Routines, or files of them, beside the built-in ones.
     methods
         Files of the user's own, beside the built-in ones.
-    weights, check_kinds
+    weights, check_kinds, accumulate, diverse
         See :class:`MissionBrief`.
     without, require
         Robot types and robots that take no part, or must; added to those of the mission file.
@@ -145,6 +148,7 @@ def request_from(
     """
     _refuse_others(mission=mission, fleet=fleet, scene=scene, routines=routines, methods=methods, **options)
     _refuse_others(mission=mission, without=without, require=require, min_quality=min_quality)
+    _refuse_other_aims(accumulate, diverse)
     if isinstance(mission, str) and mission.endswith(MISSION_FILES):
         mission = Path(mission)
     path = mission if isinstance(mission, Path) else project
@@ -180,6 +184,8 @@ def request_from(
             min_quality=file.min_quality if min_quality is None else min_quality,
             estimator=None if own is None else own.source,
             deadline_s=file.deadline_s,
+            accumulate=file.accumulate if accumulate is None else accumulate,
+            diverse=file.diverse if diverse is None else diverse,
         )
         refuse_huge(brief.fleet, brief.routines, brief.weights)
     except ValueError as error:
@@ -213,6 +219,13 @@ def _refuse_others(**given: Any) -> None:
             raise InputError(f"{name} is {value!r:.60}", accepted=accepted)
     if given.get("k") is not None and given["k"] < 1:
         raise InputError(f"k is {given['k']}", accepted=ARGUMENTS["k"][1])
+
+
+def _refuse_other_aims(accumulate: object, diverse: object) -> None:
+    if accumulate is not None and accumulate not in get_args(Accumulate):
+        raise InputError(f"accumulate is {accumulate!r:.60}", accepted="sum, mean or min")
+    if diverse is not None and not isinstance(diverse, bool):
+        raise InputError(f"diverse is {diverse!r:.60}", accepted="true or false")
 
 
 def _weights(weights: Weights | Sequence[float]) -> Weights:

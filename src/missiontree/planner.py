@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from missiontree import __version__
-from missiontree.allocation import ALLOCATORS
+from missiontree.allocation.aimed import allocator_for
 from missiontree.allocation.flat import flatten
 from missiontree.authoring.author import author_tree, authored_from_tree
 from missiontree.authoring.budgets import Budgets
@@ -31,6 +31,7 @@ from missiontree.formats.source import load_text
 from missiontree.llm.chat import ChatModel, Listener, deaf
 from missiontree.llm.feature_memory import usual_path
 from missiontree.llm.opening import Settings, open_model
+from missiontree.mission.aim import Accumulate
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.control import Control
 from missiontree.mission.estimate import Estimate, Weights
@@ -66,6 +67,8 @@ def plan(
     require: Sequence[str] = (),
     min_quality: MinQuality | None = None,
     estimator: Estimator | Callable[..., Estimate] | Path | str | None = None,
+    accumulate: Accumulate | None = None,
+    diverse: bool | None = None,
     k: int | None = None,
     allocator: str | None = None,
     model: str | ChatModel | None = None,
@@ -104,10 +107,14 @@ def plan(
         What says how well, how long and how dear every action is: anything that fits
         :class:`missiontree.estimation.estimator.Estimator`, a function of the same arguments, or the path of a Python file that
         names one, which is run. Default: the mission file's, else the fleet's table.
+    accumulate
+        How the utilities of actions make that of an alternative: ``sum`` (default), ``mean`` or ``min``.
+    diverse
+        Whether alternatives are to differ in team, the set of robot types that take part. Default false.
     k
         How many alternatives are asked for, at least 1. Default 4.
     allocator
-        ``exact`` (default), ``pruned``, ``pruned_as_printed`` or ``exhaustive``.
+        ``exact`` (default), ``pruned``, ``pruned_as_printed`` or ``exhaustive``. Those that prune rank by sums alone.
     model
         ``offline`` (default), ``recorded:<file>`` to replay a transcript, a language model such as ``openai:NAME`` (see
         :mod:`missiontree.llm.opening`), or a chat model of your own: anything that fits :class:`missiontree.llm.chat.ChatModel`.
@@ -142,6 +149,8 @@ def plan(
         require=require,
         min_quality=min_quality,
         estimator=estimator,
+        accumulate=accumulate,
+        diverse=diverse,
         k=k,
         allocator=allocator,
         model=model,
@@ -160,15 +169,14 @@ def plan_request(request: Request, control: Control) -> Plan:
 
 def check_allocator(request: Request) -> None:
     """
-    Refuse, before anybody is asked anything, an allocator that there is not.
+    Refuse, before anybody is asked anything, an allocator that there is not, or that cannot reach the mission's aim.
 
     Raises
     ------
     InputError
-        With those there are.
+        With those that can be taken.
     """
-    if request.allocator not in ALLOCATORS:
-        raise InputError(f"there is no allocator {request.allocator!r}", accepted=", ".join(ALLOCATORS))
+    allocator_for(request.allocator, request.brief.aim)
 
 
 def plan_authored(request: Request, authored: Authored, control: Control) -> Plan:
@@ -242,12 +250,12 @@ def staff_and_schedule(
     """
     Rank k alternatives that can be scheduled, and schedule them.
 
-    An alternative that is proven unschedulable stays in the list, with the reason in its schedule, and one more is drawn; so
-    ranks never depend on schedules. One that is not proven either way counts among the k, but drawing goes on until some
-    alternative has a schedule.
+    An alternative that is proven unschedulable stays in the list, with the reason in its schedule, and one more is drawn (one of
+    another team, where teams are to differ); so ranks never depend on schedules. One that is not proven either way counts among the
+    k, but drawing goes on until some alternative has a schedule.
     """
     brief, tree, wanted = request.brief, grounding.tree, request.k
-    schedule_with, allocate = SCHEDULERS["greedy"], ALLOCATORS[request.allocator]
+    schedule_with, allocate = SCHEDULERS["greedy"], allocator_for(request.allocator, brief.aim)
     flat = flatten(tree, brief.fleet, brief.weights, brief.terms)
     done: dict[object, Schedule] = {}
     while True:
@@ -275,7 +283,7 @@ def _told(
     schedules: tuple[Schedule, ...] = (),
 ) -> Plan:
     """Put everything known into one value."""
-    outcome, reasons = _outcome(authored, grounding, ranking, schedules)
+    outcome, reasons = _outcome(authored, grounding, ranking, schedules, request.brief.diverse)
     scheduled = [reason for schedule in schedules for reason in schedule.assumptions]
     warnings = [notice for notice in authored.notices if notice.severity == "warning"]
     notices = [notice for notice in authored.notices if notice.severity != "warning"]
@@ -308,7 +316,11 @@ def _told(
 
 
 def _outcome(
-    authored: Authored, grounding: Grounding | None, ranking: Ranking | None, schedules: tuple[Schedule, ...]
+    authored: Authored,
+    grounding: Grounding | None,
+    ranking: Ranking | None,
+    schedules: tuple[Schedule, ...],
+    diverse: bool = False,
 ) -> tuple[Outcome, tuple[Reason, ...]]:
     if authored.status != "complete":
         return authored.status, authored.reasons
@@ -321,6 +333,8 @@ def _outcome(
     unscheduled = [reason for schedule in schedules for reason in schedule.reasons]
     no_more = ranking.status == "exact" and ranking.certificate.bound is None
     proven = no_more and all(schedule.status == "infeasible" for schedule in schedules)
+    if proven and diverse:  # another alternative of the same teams may have a schedule
+        return "exhausted", _distinct([*ranking.reasons, *unscheduled, ONE_PER_TEAM])
     return ("cannot_be_done" if proven else "exhausted"), _distinct([*ranking.reasons, *unscheduled]) or (
         NOTHING_FOUND,
     )
@@ -330,6 +344,13 @@ NOTHING_FOUND = Reason(
     rule="nothing_found",
     message="No alternative with a schedule was found in the time given; none is excluded either.",
     hint="Give more time (--time-limit) or another allocator (--allocator exact).",
+)
+
+
+ONE_PER_TEAM = Reason(
+    rule="one_per_team",
+    message="The best alternative of every team was scheduled, and none of these can be; others of the same teams were not tried.",
+    hint="Plan without --diverse.",
 )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 
-from missiontree.allocation import ALLOCATORS
+from missiontree.allocation.aimed import allocator_for
 from missiontree.allocation.flat import flatten
 from missiontree.estimation.estimator import Estimator
 from missiontree.estimation.own import own_estimator
@@ -43,13 +43,13 @@ def made(
     """The plan that missiontree makes of a tree."""
     grounding = ground(tree, brief, estimator)
     flat = flatten(grounding.tree, brief.fleet, brief.weights, brief.terms)
-    ranking = ALLOCATORS[allocator](flat, brief.fleet, brief.weights, k, Control())
+    ranking = allocator_for(allocator, brief.aim)(flat, brief.fleet, brief.weights, k, Control())
     scene = brief.world.extended(tree.entities)
     schedules = tuple(
         SCHEDULERS["greedy"](grounding.tree, alternative, brief.fleet, scene, Control(), brief.terms)
         for alternative in ranking.alternatives
     )
-    complete = ranking.status == "exact" and ranking.certificate.bound is None
+    complete = ranking.status == "exact" and ranking.certificate.bound is None and not brief.diverse
     impossible = complete and all(schedule.status == "infeasible" for schedule in schedules)
     undelivered: Outcome = "cannot_be_done" if impossible or ranking.status == "infeasible" else "exhausted"
     works = any(schedule.status in {"optimal", "feasible"} for schedule in schedules)

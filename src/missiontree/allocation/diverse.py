@@ -2,8 +2,8 @@
 The best alternatives of which no two have the same team, exactly: the best; the best of another team than that; and so on.
 
 Each further rank is the best of the sets of teams that are left (:mod:`teams`). What the best of a set is worth bounds the parts into which
-that set falls, so a part is searched only when its bound comes up; where two are worth the same, the part is searched first, since its best
-may stand before in the order of choices.
+that set falls, and so does the best that they would have if nothing coupled the robots (:mod:`ceilings`). A part is searched only when
+its bound comes up; where two are worth the same, the part is searched first, since its best may stand before in the order of choices.
 """
 
 from __future__ import annotations
@@ -15,10 +15,11 @@ from fractions import Fraction
 from itertools import count
 
 from missiontree.allocation.allocator import Allocator
+from missiontree.allocation.ceilings import ceiling, ceilings
 from missiontree.allocation.flat import Flat, flatten
 from missiontree.allocation.measure import bound_of, team_of, told, told_bound
 from missiontree.allocation.roster import Entry, Roster
-from missiontree.allocation.teams import Teams
+from missiontree.allocation.teams import Team, Teams
 from missiontree.allocation.writing import require_count
 from missiontree.mission.aim import Accumulate
 from missiontree.mission.alternative import Alternative, Ranking
@@ -110,8 +111,7 @@ class _Partition:
             part = heapq.heappop(self._heap)
             if part.best is not None:
                 self._list(part.best)
-                for smaller in part.teams.around(team_of(part.best.alternative), self._types):
-                    self._push(smaller, None, part.bound)
+                self._split(part.teams, team_of(part.best.alternative), part.bound)
             elif self._control.ended():
                 self._open.append(part.bound)
             else:
@@ -122,13 +122,30 @@ class _Partition:
         order = (-bound, ()) if best is None else best.order
         heapq.heappush(self._heap, _Part(order, next(self._number), teams, best, bound))
 
+    def _split(self, teams: Teams, team: Team, bound: Fraction) -> None:
+        """Put the parts without a team into the heap, each with a bound of its own as long as there is time for it."""
+        flat, accumulate = self._roster.flat, self._roster.accumulate
+        with_more: dict[str, Fraction] | None = None
+        for part in teams.around(team, self._types):
+            above: Fraction | None = bound
+            if not self._control.ended():
+                if part.within <= team:  # it lacks a type of the team
+                    found = ceilings(flat, part.without, accumulate, bound)
+                else:  # it has the whole team and more
+                    with_more = with_more or ceilings(flat, teams.without, accumulate, bound)
+                    found = with_more
+                above = ceiling(found, part, bound)
+            if above is not None:
+                self._push(part, None, above)
+
     def _take(self, teams: Teams, found: Ranking, above: Fraction | None) -> None:
         """Take up what a search among some teams found; ``above`` is the bound that was known before."""
         entries = self._roster.take(found)
         stopped = found.certificate.claim != "proven"
         if stopped:
-            told_by_search = found.certificate.bound
-            bounds = [bound for bound in (above, told_by_search and bound_of(told_by_search)) if bound is not None]
+            bounds = [] if above is None else [above]
+            if found.certificate.bound is not None:
+                bounds.append(bound_of(found.certificate.bound))
             self._open.append(min(bounds))
             self._ended = found.certificate
         if entries:

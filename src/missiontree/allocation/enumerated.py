@@ -1,8 +1,8 @@
-"""The oracle for other aims than the plain one: all alternatives written out, put in the aim's order, and those with a team seen before left out."""
+"""The oracle for other aims than the plain one: all alternatives written out and put in the aim's order, and no team twice if so asked."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from missiontree.allocation.exhaustive import Exhaustive
@@ -33,7 +33,7 @@ class Enumerated:
     """
 
     aim: Aim
-    enumerate_all: Exhaustive = Exhaustive()
+    enumerate_all: Exhaustive = field(default_factory=Exhaustive)
 
     def __call__(self, tree: GroundedTree | Flat, fleet: Fleet, weights: Weights, k: int, control: Control) -> Ranking:
         """See :class:`missiontree.allocation.allocator.Allocator`."""

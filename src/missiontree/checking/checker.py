@@ -80,6 +80,7 @@ RULES: tuple[Rule, ...] = (
     ranking.rank_wrong,
     ranking.ranking_unsorted,
     ranking.alternative_double,
+    ranking.team_repeated,
     witness.witness_incomplete,
     witness.witness_broken,
     witness.alternative_unstaffable,

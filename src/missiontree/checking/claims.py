@@ -10,7 +10,7 @@ from missiontree.checking.fault import Fault
 from missiontree.checking.ranking import MILLION, utility_of
 from missiontree.checking.staffing import Staffing
 from missiontree.mission.alternative import Ranking
-from missiontree.mission.estimate import Weights
+from missiontree.mission.brief import MissionBrief
 
 END = "nobody: there are no more alternatives"
 
@@ -102,7 +102,7 @@ def judge(case: Case) -> Fault | bool:
     if ranking is None or not _claims(ranking):
         return True
     truth = best_first(case)
-    weights = case.plan.brief.weights
+    brief = case.plan.brief
     listed = [frozenset(staffing.taken.items()) for staffing in case.staffings]
     for staffing, choices in zip(case.staffings, listed, strict=True):
         needed = next(truth, END)
@@ -110,7 +110,7 @@ def judge(case: Case) -> Fault | bool:
             return needed is not None  # nothing is claimed of this rank and of those below it, or nothing can be told
         if isinstance(needed, str) or frozenset(needed.taken.items()) != choices:
             found = f"utility {staffing.alternative.utility:g}"
-            better = needed if isinstance(needed, str) else f"an alternative of utility {_utility(needed, weights):g}"
+            better = needed if isinstance(needed, str) else f"an alternative of utility {_utility(needed, brief):g}"
             return Fault(
                 f"alternative {staffing.alternative.rank} of {found} is called proven, and its rank belongs to {better}.",
                 found=found,
@@ -119,7 +119,7 @@ def judge(case: Case) -> Fault | bool:
     unlisted = next(truth, END)
     if unlisted is None or isinstance(unlisted, str):
         return unlisted is not None
-    best, bound = _utility(unlisted, weights), ranking.certificate.bound
+    best, bound = _utility(unlisted, brief), ranking.certificate.bound
     if ranking.status == "infeasible" or (bound is not None and best > bound + 1e-6):
         found = "infeasible" if ranking.status == "infeasible" else f"bound {bound:g}"
         return Fault(
@@ -136,8 +136,8 @@ def judge(case: Case) -> Fault | bool:
     return True
 
 
-def _utility(staffing: Staffing, weights: Weights) -> float:
-    return utility_of(staffing, weights) / MILLION
+def _utility(staffing: Staffing, brief: MissionBrief) -> float:
+    return float(utility_of(staffing, brief) / MILLION)
 
 
 def _claims(ranking: Ranking) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from missiontree.checking.case import Case
-from missiontree.checking.ranking import choice_key, utility_of
+from missiontree.checking.ranking import choice_key, team_of, utility_of
 from missiontree.checking.soonest import too_late
 from missiontree.checking.staff_search import can_be_staffed
 from missiontree.checking.staffing import Staffing
@@ -42,6 +42,8 @@ def best_first(case: Case) -> Iterator[Staffing | None]:
     """
     Every alternative that robots can fill and that can meet its deadlines, best first: by utility, then by choice indices in preorder.
 
+    Where teams are to differ, only the first of each team.
+
     None comes in place of one of which it cannot be told whether robots can fill it, or of all where there are too many.
     """
     tree = case.tree
@@ -49,14 +51,17 @@ def best_first(case: Case) -> Iterator[Staffing | None]:
     if tree is None or ways is None or len(ways) * len(tree.nodes) > MOST_NODES:
         yield None
         return
-    weights = case.plan.brief.weights
+    brief, teams = case.plan.brief, set[frozenset[str]]()
     staffings = [Staffing(tree, case.mission_tree, _bare(choices)) for choices in ways]
-    staffings.sort(key=lambda staffing: (-utility_of(staffing, weights), choice_key(staffing)))
+    staffings.sort(key=lambda staffing: (-utility_of(staffing, brief), choice_key(staffing)))
     for staffing in staffings:
+        if brief.diverse and team_of(staffing) in teams:
+            continue
         known = all(type_id in case.fleet.by_id for type_id in staffing.type_of_role.values())
         fits = can_be_staffed(staffing, case) if known else None
         if known and too_late(case, staffing) is not None:
             continue
+        teams |= {team_of(staffing)} if fits else set()
         if fits is not False:
             yield staffing if fits else None
 

@@ -1,6 +1,9 @@
 """The methods of proof that missiontree documents. A claim by any other is no claim that anybody can judge."""
 
-RANKING_PROOFS = frozenset({"lazy_k_best", "branch_and_bound", "pool", "enumeration", "algorithm_1", "least_use"})
+BY_AIM = frozenset({"dinkelbach", "bottleneck", "team_partition"})
+"""How alternatives are ranked by mean, by least utility, and by different teams."""
+
+RANKING_PROOFS = BY_AIM | {"lazy_k_best", "branch_and_bound", "pool", "enumeration", "algorithm_1", "least_use"}
 """How alternatives are ranked, and shown to be none."""
 
 BOUND_PROOFS = frozenset({"critical_path", "load"})

@@ -14,6 +14,9 @@ from missiontree.mission.reason import Reason
 NOTHING_FOUND = "nothing_found"
 """Rule of the reason that time was up before anything was found or excluded."""
 
+ONE_PER_TEAM = "one_per_team"
+"""Rule of the reason that the best alternative of every team cannot be scheduled, where teams are to differ."""
+
 
 def nothing_delivered(case: Case) -> Iterator[Fault]:
     """A plan is called delivered and holds no alternative with a schedule that works."""
@@ -48,7 +51,7 @@ def impossibility_unproven(case: Case) -> Iterator[Fault]:
     elif ranking.status == "infeasible":
         shown = ranking.certificate.claim == "proven"
     else:
-        complete = ranking.status == "exact" and ranking.certificate.bound is None
+        complete = ranking.status == "exact" and ranking.certificate.bound is None and not plan.brief.diverse
         shown = complete and all(schedule.status == "infeasible" for schedule in plan.schedules)
     if not shown:
         yield Fault(
@@ -85,6 +88,7 @@ def reason_invented(case: Case) -> Iterator[Fault]:
             known is not None
             and reason not in known
             and not (plan.outcome == "exhausted" and reason.rule == NOTHING_FOUND)
+            and not (plan.outcome == "exhausted" and plan.brief.diverse and reason.rule == ONE_PER_TEAM)
         ):
             yield Fault(
                 f"nothing in the plan gives the reason: {reason.message}",

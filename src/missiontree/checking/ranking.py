@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from fractions import Fraction
 
 from missiontree.checking.case import Case
 from missiontree.checking.fault import Fault
 from missiontree.checking.staffing import Staffing
+from missiontree.mission.brief import MissionBrief
 from missiontree.mission.estimate import Estimate, Weights
 
 MILLION = 1_000_000
@@ -19,9 +21,20 @@ def millionths(weights: Weights, estimate: Estimate) -> float:
     return float(round(value * MILLION)) if math.isfinite(value * MILLION) else value
 
 
-def utility_of(staffing: Staffing, weights: Weights) -> float:
-    """Utility of an alternative in millionths, from its selected actions."""
-    return sum(millionths(weights, action.estimate) for action in staffing.actions.values())
+def utility_of(staffing: Staffing, brief: MissionBrief) -> Fraction | float:
+    """Utility of an alternative in millionths: what its selected actions add up to, their mean, or the least of them; 0 of none."""
+    counted = [millionths(brief.weights, action.estimate) for action in staffing.actions.values()] or [0.0]
+    if not all(map(math.isfinite, counted)):
+        return sum(counted)
+    if brief.accumulate == "min":
+        return Fraction(min(counted))
+    total = sum(map(Fraction, counted))
+    return total / len(counted) if brief.accumulate == "mean" else total
+
+
+def team_of(staffing: Staffing) -> frozenset[str]:
+    """Robot types that take part."""
+    return frozenset(staffing.type_of_role.values())
 
 
 def choice_key(staffing: Staffing) -> tuple[int, ...]:
@@ -35,9 +48,9 @@ def choice_key(staffing: Staffing) -> tuple[int, ...]:
 
 
 def utility_wrong(case: Case) -> Iterator[Fault]:
-    """The utility is not the sum over the selected actions."""
+    """The utility is not the sum over the selected actions; or not their mean, or the least of them, where the mission asks for that."""
     for staffing in case.staffings:
-        needed = utility_of(staffing, case.plan.brief.weights) / MILLION
+        needed = float(utility_of(staffing, case.plan.brief) / MILLION)
         found = staffing.alternative.utility
         if not math.isfinite(needed) or abs(found - needed) > 1e-6 + 1e-9 * abs(needed):
             yield Fault(
@@ -68,13 +81,34 @@ def ranking_unsorted(case: Case) -> Iterator[Fault]:
                 found=f"{second:.6f}",
                 needed=f"at most {first:.6f}",
             )
-        elif abs(first - second) <= 5e-7 and choice_key(below) < choice_key(above):
+        elif abs(first - second) <= 5e-7 and _stands_before(below, above, case.plan.brief):
             yield Fault(
                 f"alternatives {above.alternative.rank} and {below.alternative.rank} are equal in utility and not in order "
                 "of their choices.",
                 found=str(choice_key(above)),
                 needed=str(choice_key(below)),
             )
+
+
+def _stands_before(one: Staffing, other: Staffing, brief: MissionBrief) -> bool:
+    """Whether one is truly better, be it by less than a utility shows; or as good, and first in the order of choices."""
+    first, second = utility_of(one, brief), utility_of(other, brief)
+    return first > second or (first == second and choice_key(one) < choice_key(other))
+
+
+def team_repeated(case: Case) -> Iterator[Fault]:
+    """Teams are to differ, and the same robot types take part in two alternatives."""
+    seen: dict[frozenset[str], int] = {}
+    for staffing in case.staffings if case.plan.brief.diverse else ():
+        team, rank = team_of(staffing), staffing.alternative.rank
+        if team in seen:
+            types = ", ".join(sorted(team)) or "nobody"
+            yield Fault(
+                f"alternatives {seen[team]} and {rank} have the same team ({types}), and the mission asks for teams that differ.",
+                found=types,
+                needed="a set of robot types that no alternative above has",
+            )
+        seen.setdefault(team, rank)
 
 
 def alternative_double(case: Case) -> Iterator[Fault]:

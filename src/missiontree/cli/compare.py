@@ -45,6 +45,8 @@ def command(
     require: options.Require = None,
     min_quality: options.MinQualityText = None,
     estimator: options.EstimatorFile = None,
+    accumulate: options.AccumulateText = None,
+    diverse: options.DiverseFlag = None,
     k: options.Alternatives = None,
     model: options.Model = None,
     base_url: options.BaseUrl = None,
@@ -60,7 +62,7 @@ def command(
 
     from rich.text import Text
 
-    from missiontree.allocation import ALLOCATORS
+    from missiontree.allocation.aimed import allocators_for
     from missiontree.allocation.flat import flatten
     from missiontree.formats.document import to_plain
     from missiontree.reporting.text import reason_line, said_once
@@ -78,6 +80,8 @@ def command(
         require=require,
         min_quality=min_quality,
         estimator=estimator,
+        accumulate=accumulate,
+        diverse=diverse,
         k=k,
         allocator=None,
         model=author_named(model, replay),
@@ -98,7 +102,7 @@ def command(
     brief = request.brief
     flat = flatten(ground(authored.tree, brief, request.estimator).tree, brief.fleet, brief.weights, brief.terms)
     runs = []
-    for name, allocate in ALLOCATORS.items():
+    for name, allocate in allocators_for(brief.aim).items():
         started = time.perf_counter()
         with controlled(DEFAULT_LIMIT_S if time_limit is None else time_limit, request.seed) as control:
             ranking = allocate(flat, brief.fleet, brief.weights, request.k, control)

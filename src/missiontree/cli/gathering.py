@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast, get_args
 
 from missiontree.errors import InputError
 
 if TYPE_CHECKING:
     from missiontree.authoring.budgets import Budgets
     from missiontree.briefing import Request
+    from missiontree.mission.aim import Accumulate
     from missiontree.mission.estimate import Weights
     from missiontree.mission.terms import MinQuality
 
@@ -29,6 +30,8 @@ def gather(
     require: list[str] | None = None,
     min_quality: list[str] | None = None,
     estimator: Path | None = None,
+    accumulate: str | None = None,
+    diverse: bool | None = None,
     k: int | None,
     allocator: str | None,
     model: str | None,
@@ -61,6 +64,8 @@ def gather(
         require=require or (),
         min_quality=least_quality(min_quality),
         estimator=estimator,
+        accumulate=accumulate_named(accumulate),
+        diverse=diverse,
         project=project,
         k=k,
         allocator=allocator,
@@ -69,6 +74,22 @@ def gather(
         budgets=budgets,
         seed=seed,
     )
+
+
+def accumulate_named(text: str | None) -> Accumulate | None:
+    """
+    What ``--accumulate`` asks for; None if it is not given.
+
+    Raises
+    ------
+    InputError
+        If it is none of those there are.
+    """
+    from missiontree.mission.aim import Accumulate
+
+    if text is not None and text not in get_args(Accumulate):
+        raise InputError(f"--accumulate {text}", accepted="sum, mean or min")
+    return cast("Accumulate | None", text)
 
 
 def author_named(model: str | None, replay: Path | None) -> str | None:

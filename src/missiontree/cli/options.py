@@ -83,6 +83,21 @@ EstimatorFile = Annotated[
         help="File of an estimator of your own, which is run. Default: the mission file's, else what the fleet states.",
     ),
 ]
+AccumulateText = Annotated[
+    str | None,
+    typer.Option(
+        "--accumulate",
+        metavar="HOW",
+        help="How the utilities of actions make that of an alternative: sum (default), mean or min.",
+    ),
+]
+DiverseFlag = Annotated[
+    bool | None,
+    typer.Option(
+        "--diverse/--not-diverse",
+        help="Alternatives that differ in team: in the set of robot types that take part. Default: as the mission file says, else no.",
+    ),
+]
 Alternatives = Annotated[
     int | None, typer.Option("-k", "--alternatives", metavar="K", help="How many alternatives. Default 4.")
 ]

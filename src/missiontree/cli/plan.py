@@ -32,6 +32,8 @@ def command(
     require: options.Require = None,
     min_quality: options.MinQualityText = None,
     estimator: options.EstimatorFile = None,
+    accumulate: options.AccumulateText = None,
+    diverse: options.DiverseFlag = None,
     k: options.Alternatives = None,
     allocator: Annotated[
         str | None,
@@ -83,6 +85,8 @@ def command(
         require=require,
         min_quality=min_quality,
         estimator=estimator,
+        accumulate=accumulate,
+        diverse=diverse,
         k=k,
         allocator=allocator,
         model=author_named(model, replay),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NamedTuple
 
@@ -18,6 +19,7 @@ from missiontree.errors import InputError
 
 if TYPE_CHECKING:
     from missiontree.allocation.flat import Flat
+    from missiontree.mission.aim import Accumulate, Aim
     from missiontree.mission.alternative import Ranking
     from missiontree.mission.estimate import Weights
     from missiontree.mission.fleet import Fleet
@@ -37,12 +39,15 @@ class Problem(NamedTuple):
         The robots, and what makes utility.
     not_kept
         What the file asks for and this ranking does not keep; empty if nothing.
+    aim
+        What the file asks of the best.
     """
 
     flat: Flat
     fleet: Fleet
     weights: Weights
     not_kept: str
+    aim: Aim
 
 
 def command(
@@ -54,6 +59,8 @@ def command(
         str, typer.Option("--allocator", metavar="NAME", help="exact, pruned, pruned_as_printed or exhaustive.")
     ] = "exact",
     no_budgets: Annotated[bool, typer.Option("--no-budgets", help="Rank as if no budget limited the robots.")] = False,
+    accumulate: options.AccumulateText = None,
+    diverse: options.DiverseFlag = None,
     disjoint: Annotated[
         bool,
         typer.Option("--disjoint", help="Keep what a tree in columns says of disjoint robots; else it is left out."),
@@ -68,29 +75,40 @@ def command(
     """Rank the ways to staff a tree that is already there: the k best, and what is proven of them."""
     from time import perf_counter
 
-    from missiontree.allocation import ALLOCATORS
+    from missiontree.allocation.aimed import allocator_for
+    from missiontree.cli.gathering import accumulate_named
     from missiontree.cli.rank_view import Told, json_of, view_of
 
     if k < 1:
         raise InputError(f"--k {k}", accepted="a whole number of at least 1")
-    if allocator not in ALLOCATORS:
-        raise InputError(f"there is no allocator {allocator!r}", accepted=", ".join(ALLOCATORS))
+    how = accumulate_named(accumulate)
     with seldom_collected():
         problem = _problem(file, budgets=not no_budgets, disjoint=disjoint)
         if problem.not_kept and not as_json:
             remark(problem.not_kept, colour)
+        aim = aimed(problem.aim, how, diverse)
+        allocate = allocator_for(allocator, aim)
         started = perf_counter()
         with controlled(time_limit, seed or 0) as control:
-            ranking = ALLOCATORS[allocator](problem.flat, problem.fleet, problem.weights, k, control)
+            ranking = allocate(problem.flat, problem.fleet, problem.weights, k, control)
             if ranking.status == "unknown" and control.stop():
                 raise KeyboardInterrupt
         elapsed_s = perf_counter() - started
-        told = Told(problem.flat, ranking, allocator, k, seed or 0, time_limit, elapsed_s, problem.not_kept)
+        told = Told(problem.flat, ranking, allocator, k, seed or 0, time_limit, elapsed_s, problem.not_kept, aim)
         if as_json:
             typer.echo(json_of(told), nl=False)
         else:
             show(view_of(told), colour)
     return _exit(ranking)
+
+
+def aimed(aim: Aim, accumulate: Accumulate | None, diverse: bool | None) -> Aim:
+    """An aim, changed as far as something else is asked for."""
+    return replace(
+        aim,
+        accumulate=aim.accumulate if accumulate is None else accumulate,
+        diverse=aim.diverse if diverse is None else diverse,
+    )
 
 
 def _exit(ranking: Ranking) -> Exit:
@@ -124,6 +142,7 @@ def _problem(file: Path, *, budgets: bool, disjoint: bool) -> Problem:
     from missiontree.allocation.columns import flat_of_columns
     from missiontree.formats.importers.tree_grounded import fleet_of
     from missiontree.formats.importers.tree_json import columns_of
+    from missiontree.mission.aim import PLAIN_AIM
     from missiontree.mission.columns import WEIGHTS
 
     columns = columns_of(parsed)
@@ -135,7 +154,7 @@ def _problem(file: Path, *, budgets: bool, disjoint: bool) -> Problem:
     count = len(columns.disjoint)
     named = f"what the file says of disjoint robots, at {count} AND{'s' if count > 1 else ''}"
     not_kept = f"not kept: {named} (--disjoint keeps it)" if count and not disjoint else ""
-    return Problem(flat, fleet_of(columns, budgets=budgets), WEIGHTS, not_kept)
+    return Problem(flat, fleet_of(columns, budgets=budgets), WEIGHTS, not_kept, PLAIN_AIM)
 
 
 def _of_plan(text: str, source: str, *, budgets: bool) -> Problem:
@@ -146,4 +165,4 @@ def _of_plan(text: str, source: str, *, budgets: bool) -> Problem:
     if plan.grounding is None:
         raise InputError("the plan holds no grounded tree, so there is nothing to rank", file=source, where="grounding")
     flat = flatten(plan.grounding.tree, plan.brief.fleet, plan.brief.weights, plan.brief.terms)
-    return Problem(flat if budgets else without_budgets(flat), plan.brief.fleet, plan.brief.weights, "")
+    return Problem(flat if budgets else without_budgets(flat), plan.brief.fleet, plan.brief.weights, "", plan.brief.aim)

@@ -13,6 +13,7 @@ from rich.text import Text
 
 from missiontree.allocation.flat import Flat
 from missiontree.formats.plain import to_plain
+from missiontree.mission.aim import PLAIN_AIM, Aim
 from missiontree.mission.alternative import Alternative, Ranking
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.limit_use import LimitUse, Whose
@@ -52,6 +53,8 @@ class Told(NamedTuple):
         Seconds that ranking took.
     not_kept
         What the file asks for and this ranking does not keep; empty if nothing.
+    aim
+        What the best are.
     """
 
     flat: Flat
@@ -62,6 +65,7 @@ class Told(NamedTuple):
     time_limit_s: float | None
     elapsed_s: float
     not_kept: str
+    aim: Aim = PLAIN_AIM
 
 
 def gap_of(alternative: Alternative) -> float | None:
@@ -86,14 +90,15 @@ def _sections(told: Told) -> Iterator[RenderableType]:
     leaves = len(flat.role) - flat.role.count(-1)
     counts = (("node", len(flat.kind)), ("leaf", leaves), ("robot", _robots(flat)), ("limit", _limits(flat)))
     yield Text(", ".join(_counted(*count) for count in counts), style="dim")
-    count = f"{len(found)} alternative{'s' if len(found) != 1 else ''}, best first" if found else "No alternative"
+    several = f"alternative{'s' if len(found) != 1 else ''}{' of different teams' if told.aim.diverse else ''}"
+    count = f"{len(found)} {several}, best first" if found else "No alternative"
     yield Text(f"{count} ({STATUS[ranking.status]})", style="bold")
     if found:
-        yield Padding(_alternatives(found), (0, 0, 0, 2), expand=False)
+        yield Padding(_alternatives(found, told.aim.worth), (0, 0, 0, 2), expand=False)
         if found[0].uses:
             yield Text("What alternative 1 uses of its limits", style="bold")
             yield Padding(_uses(found[0].uses), (0, 0, 0, 2), expand=False)
-    yield Text(_of_the_rest(ranking))
+    yield Text(_of_the_rest(ranking, "Other teams" if told.aim.diverse and found else "What is not listed"))
     yield from (reason_line(reason) for reason in ranking.reasons[:MAX_LINES])
     if len(ranking.reasons) > MAX_LINES:
         yield Text(f"… and {len(ranking.reasons) - MAX_LINES} more; --json lists them all", style="dim")
@@ -118,8 +123,8 @@ def _table(*columns: str, left: tuple[str, ...]) -> Table:
     return table
 
 
-def _alternatives(found: tuple[Alternative, ...]) -> Table:
-    table = _table("#", "utility", "bound", "gap", "known", left=("known",))
+def _alternatives(found: tuple[Alternative, ...], worth: str) -> Table:
+    table = _table("#", worth, "bound", "gap", "known", left=("known",))
     for alternative in found[:MOST_ROWS]:
         bound, gap = alternative.certificate.bound, gap_of(alternative)
         table.add_row(
@@ -156,14 +161,14 @@ def _uses(uses: tuple[LimitUse, ...]) -> RenderableType:
     return Group(table, Text(f"… and {len(uses) - MOST_LIMITS} more, none tighter; --json lists them all", style="dim"))
 
 
-def _of_the_rest(ranking: Ranking) -> str:
+def _of_the_rest(ranking: Ranking, rest: str) -> str:
     """What is known of everything that is not listed."""
     certificate = ranking.certificate
     if certificate.bound is not None:
-        known = f"What is not listed: nothing above {number(certificate.bound)}, {certificate.claim} by {_method(certificate)}."
+        known = f"{rest}: nothing above {number(certificate.bound)}, {certificate.claim} by {_method(certificate)}."
     else:
         detail = certificate.detail or "Nothing is known."
-        known = f"What is not listed: {detail} ({certificate.claim}, by {_method(certificate)})"
+        known = f"{rest}: {detail} ({certificate.claim}, by {_method(certificate)})"
     return known if certificate.limit is None else f"{known} The search was ended by {certificate.limit.in_words}."
 
 
@@ -185,6 +190,8 @@ def json_of(told: Told) -> str:
     head = {
         "status": ranking.status,
         "allocator": told.allocator,
+        "accumulate": told.aim.accumulate,
+        "diverse": told.aim.diverse,
         "k": told.k,
         "seed": told.seed,
         "time_limit_s": told.time_limit_s,

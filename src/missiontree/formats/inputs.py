@@ -28,6 +28,8 @@ def inputs_of(brief: MissionBrief, tree: MissionTree | None) -> dict[str, Any]:
         "require": brief.require or None,
         "min_quality": brief.min_quality or None,
         "estimator": brief.estimator,
+        "accumulate": None if brief.accumulate == "sum" else brief.accumulate,
+        "diverse": brief.diverse or None,
         "tree": tree,
     }
     return {name: value for name, value in inputs.items() if value is not None}

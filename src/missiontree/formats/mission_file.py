@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from missiontree.mission.aim import Accumulate
 from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
 from missiontree.mission.goal import Goal, check_goals
@@ -59,6 +60,12 @@ class MissionFile(Value):
         offered.
     deadline_s
         The whole mission has ended by then; seconds from its start, at least 0. None (default) means no deadline.
+    accumulate
+        How the utilities of actions make that of an alternative: their ``sum`` (default), which favours alternatives with more actions,
+        their ``mean``, or the least of them (``min``). Of an alternative without actions each of them is 0.
+    diverse
+        Whether alternatives are to differ in team: the best; then the best of those in which another set of robot types takes part; and
+        so on. Default false.
     """
 
     mission: str = ""
@@ -80,6 +87,8 @@ class MissionFile(Value):
     require: tuple[Id, ...] = ()
     min_quality: NonNegative | Mapping[Id, NonNegative] = 0.0
     deadline_s: NonNegative | None = None
+    accumulate: Accumulate = "sum"
+    diverse: bool = False
 
     def _check(self) -> None:
         if not self.mission.strip() and not self.goals and self.tree is None:

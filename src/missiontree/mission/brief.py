@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
+from missiontree.mission.aim import Accumulate, Aim
 from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
 from missiontree.mission.estimator_source import EstimatorSource
@@ -52,6 +53,12 @@ class MissionBrief(Value):
         Whose the estimates are, if not the fleet's: an estimator of the user's own. Default: the fleet's table.
     deadline_s
         The whole mission has ended by then; seconds from its start, at least 0. None (default) means no deadline.
+    accumulate
+        How the utilities of actions make that of an alternative: their ``sum`` (default), which favours alternatives with more actions,
+        their ``mean``, or the least of them (``min``). Of an alternative without actions each of them is 0.
+    diverse
+        Whether alternatives are to differ in team: the best; then the best of those in which another set of robot types takes part; and
+        so on. Default false.
 
     Raises
     ------
@@ -72,6 +79,8 @@ class MissionBrief(Value):
     min_quality: NonNegative | Mapping[Id, NonNegative] = 0.0
     estimator: EstimatorSource | None = None
     deadline_s: NonNegative | None = None
+    accumulate: Accumulate = "sum"
+    diverse: bool = False
 
     def _check(self) -> None:
         world = self.world
@@ -119,6 +128,11 @@ class MissionBrief(Value):
             stock=self.world.stock,
             by_estimator=self.estimator is not None,
         )
+
+    @property
+    def aim(self) -> Aim:
+        """What the best alternatives are."""
+        return Aim(accumulate=self.accumulate, diverse=self.diverse)
 
     @cached_property
     def team(self) -> Fleet:

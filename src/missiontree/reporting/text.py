@@ -11,6 +11,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from missiontree.mission.aim import Aim
 from missiontree.mission.alternative import Alternative, Ranking
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Outcome, Plan
@@ -82,7 +83,7 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
     if plan.tree is not None and len(plan.tree.nodes) > 1:
         yield from _titled("Mission tree", [Text(tree_text(plan.tree).rstrip())])
     if plan.ranking is not None and plan.grounding is not None and plan.ranking.alternatives:
-        yield from _titled(_ranking_title(plan.ranking), [alternatives_table(plan)])
+        yield from _titled(_ranking_title(plan.ranking, plan.brief.aim), [alternatives_table(plan)])
         yield from _titled("Without a schedule", list(_unscheduled(plan)))
         best = best_scheduled(plan)
         yield from _titled(*_limits_of(plan, best))
@@ -195,7 +196,7 @@ def _unscheduled(plan: Plan) -> Iterator[RenderableType]:
             yield Text(f"{schedule.rank}. {why}: ").append_text(reason_line(schedule.reasons[0]))
 
 
-def _ranking_title(ranking: Ranking) -> str:
+def _ranking_title(ranking: Ranking, aim: Aim) -> str:
     count = len(ranking.alternatives)
     known = {
         "exact": "every rank proven",
@@ -205,7 +206,8 @@ def _ranking_title(ranking: Ranking) -> str:
     }[ranking.status]
     limit = ranking.certificate.limit
     ended = "" if limit is None else f", ended by {limit.in_words}"
-    return f"{count} alternative{'s' if count != 1 else ''}, best first ({known}{ended})"
+    teams = " of different teams" if aim.diverse else ""
+    return f"{count} alternative{'s' if count != 1 else ''}{teams}, best first ({known}{ended})"
 
 
 def _known(schedule: Schedule) -> str:
@@ -222,7 +224,7 @@ def alternatives_table(plan: Plan) -> Table:
     table = Table(box=None, padding=(0, 2, 0, 0), header_style="dim")
     for name, justify in (
         ("#", "right"),
-        ("utility", "right"),
+        (plan.brief.aim.worth, "right"),
         ("team", "left"),
         ("makespan", "right"),
         ("known", "left"),

@@ -113,7 +113,7 @@ def facts(plan: Plan, rank: int) -> tuple[Fact, ...]:
     alternative = plan.ranking.alternatives[rank - 1]
     schedule = next((one for one in plan.schedules if one.rank == rank), None)
     team = plan.brief.fleet.robots
-    found = [Fact("utility", number(alternative.utility), utility_note(plan, rank))]
+    found = [Fact(plan.brief.aim.worth, number(alternative.utility), utility_note(plan, rank))]
     if schedule is not None and schedule.actions:
         busy = {assignment.robot for assignment in schedule.assignments}
         found = [

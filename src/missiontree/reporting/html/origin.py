@@ -36,6 +36,10 @@ def _pairs(plan: Plan) -> Iterator[tuple[str, str]]:
         if weight
     ]
     yield "utility", " + ".join(terms).replace("+ -", "− ") or "0"
+    if plan.brief.accumulate != "sum":
+        yield "of an alternative", f"{plan.brief.aim.worth} of its actions"
+    if plan.brief.diverse:
+        yield "teams", "no two alternatives have the same"
     if not plan.brief.check_kinds:
         yield "kinds of arguments", "not enforced"
     yield "seed", str(provenance.seed)

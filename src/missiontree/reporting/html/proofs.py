@@ -58,7 +58,7 @@ def _proofs(plan: Plan) -> Iterator[Proof]:
         certificate = alternative.certificate
         yield _proof(
             f"rank {alternative.rank}",
-            f"utility {number(alternative.utility)}",
+            f"{plan.brief.aim.worth} {number(alternative.utility)}",
             certificate,
             _utility(certificate.bound),
         )
