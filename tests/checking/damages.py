@@ -762,6 +762,21 @@ def weights_changed(plan: Plan) -> Iterator[Plan]:
     yield replace(plan, brief=replace(plan.brief, weights=replace(plan.brief.weights, alpha=2.0)))
 
 
+@breaks("utility_wrong")
+def accumulated_otherwise(plan: Plan) -> Iterator[Plan]:
+    for how in ("sum", "mean", "min"):
+        if how != plan.brief.accumulate:
+            yield with_brief(plan, accumulate=how)
+
+
+@breaks("team_repeated")
+def teams_to_differ(plan: Plan) -> Iterator[Plan]:
+    """Where they do not."""
+    teams = [{filled.robot_type for filled in alternative.roles} for _, alternative in alternatives(plan)]
+    if any(team in teams[:place] for place, team in enumerate(teams)):
+        yield with_brief(plan, diverse=True)
+
+
 @breaks("rank_wrong")
 def rank_changed(plan: Plan) -> Iterator[Plan]:
     for place, alternative in alternatives(plan):
