@@ -21,7 +21,7 @@ from itertools import product
 from random import Random
 from typing import NamedTuple
 
-from benchmarks.random_rules import RULES
+from benchmarks.random_rules import RULES, TREE_RULES
 from benchmarks.random_trees import Case, random_case
 from missiontree.allocation.aimed import reaching
 from missiontree.allocation.allocator import Allocator
@@ -34,6 +34,7 @@ from missiontree.mission.alternative import Alternative, Ranking, selected_leave
 from missiontree.mission.control import Control
 
 EVERYTHING = 10**9
+EVERY_RULE = (*RULES, *TREE_RULES)
 HOWS: tuple[Accumulate, ...] = ("sum", "mean", "min")
 AIMS = tuple(
     aim for how, diverse in product(HOWS, (False, True)) if (aim := Aim(accumulate=how, diverse=diverse)) != PLAIN_AIM
@@ -80,7 +81,7 @@ def main() -> None:
 def numbered_case(seed: int, index: int) -> Case:
     """The case of that number; every second one is under one rule for the whole mission, each rule in its turn."""
     rng = Random(f"aims:{seed}:{index}")  # noqa: S311 - luck for tests, not for secrets
-    return random_case(rng, (tuple(RULES)[index // 2 % len(RULES)],) if index % 2 else None)
+    return random_case(rng, (EVERY_RULE[index // 2 % len(EVERY_RULE)],) if index % 2 else None)
 
 
 def judge(case: Case, aim: Aim, k: int, chosen: Iterable[tuple[str, Allocator]] | None = None) -> Iterator[Fault]:

@@ -17,6 +17,9 @@ from missiontree.allocation.narrowing import valued
 from missiontree.errors import InputError
 from missiontree.mission.aim import PLAIN_AIM, Aim
 from missiontree.mission.control import Control
+from missiontree.mission.estimate import Weights
+from missiontree.mission.fleet import Fleet, RobotType
+from tests.builders import and_, grounded, leaf
 
 PARTS, PER_PART = 4, 80
 
@@ -66,6 +69,19 @@ def test_an_allocator_that_cannot_says_which_can(name: str) -> None:
     ) as caught:
         allocator_for(name, Aim(accumulate="mean", diverse=True))
     assert caught.value.accepted == "exact or exhaustive"
+
+
+def test_what_cannot_be_done_names_the_limits_that_clash() -> None:
+    """Once, whatever the aim; and the searches underneath do not seek them."""
+    tree = grounded(and_(*(leaf(name, quality=1, uses={"energy_j": 2}) for name in "xy")))
+    fleet = Fleet((RobotType(id="r", count=1),), total_limits={"energy_j": 3})
+    for aim in AIMS:
+        ranking = allocator_for("exact", aim)(tree, fleet, Weights(), 2, Control())
+        assert ranking.status == "infeasible"
+        assert [reason.rule for reason in ranking.reasons].count("limits_clash") == 1
+    assert "limits_clash" not in {
+        reason.rule for reason in ExactKBest(explain=False)(tree, fleet, Weights(), 2, Control()).reasons
+    }
 
 
 def test_an_unknown_allocator_is_refused_with_those_there_are() -> None:

@@ -464,7 +464,9 @@ def measured() -> Plan:
 
     By radio twice 1.0; by radio and by the better hand (1.0 + 0.9 + 0.9) / 3; by that hand twice 0.9, which has the best sum, 3.6.
     """
-    steps = tuple(ActionStep(name=name, text=f"{name} {{agent}}", duration_s=5.0, at="agent") for name in ("unlock", "pull"))
+    steps = tuple(
+        ActionStep(name=name, text=f"{name} {{agent}}", duration_s=5.0, at="agent") for name in ("unlock", "pull")
+    )
     open_ = Routine(
         id="Open",
         purpose="Open {agent}",

@@ -2,21 +2,50 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from missiontree.allocation import ALLOCATORS
 from missiontree.allocation.allocator import Allocator
 from missiontree.allocation.bottleneck import LeastKBest
+from missiontree.allocation.clash_wording import with_clash
 from missiontree.allocation.diverse import Diverse
 from missiontree.allocation.enumerated import Enumerated
+from missiontree.allocation.flat import Flat, flatten
+from missiontree.allocation.kbest import ExactKBest
 from missiontree.allocation.means import MeanKBest
 from missiontree.errors import InputError
 from missiontree.mission.aim import PLAIN_AIM, Aim
+from missiontree.mission.alternative import Ranking
+from missiontree.mission.control import Control
+from missiontree.mission.estimate import Weights
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.grounded import GroundedTree
+
+
+@dataclass(frozen=True, slots=True)
+class Explained:
+    """
+    Seeks the limits that clash where there is no alternative: once for the mission, not in each of the searches that a ranking takes.
+
+    Parameters
+    ----------
+    best
+        Ranks.
+    """
+
+    best: Allocator
+
+    def __call__(self, tree: GroundedTree | Flat, fleet: Fleet, weights: Weights, k: int, control: Control) -> Ranking:
+        """See :class:`missiontree.allocation.allocator.Allocator`."""
+        flat = flatten(tree, fleet, weights)
+        return with_clash(self.best(flat, fleet, weights, k, control), flat, control)
 
 
 def allocators_for(aim: Aim) -> dict[str, Allocator]:
     """All allocators that reach an aim, by name."""
     if aim == PLAIN_AIM:
         return dict(ALLOCATORS)
-    return {"exact": reaching(aim, ALLOCATORS["exact"]), "exhaustive": Enumerated(aim)}
+    return {"exact": Explained(reaching(aim, ExactKBest(explain=False))), "exhaustive": Enumerated(aim)}
 
 
 def allocator_for(name: str, aim: Aim) -> Allocator:

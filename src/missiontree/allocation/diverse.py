@@ -166,7 +166,8 @@ class _Partition:
             certificate = Certificate(claim="proven", method=METHOD, bound=told(last) if full else None, detail=detail)
         else:
             detail = "Stopped early; no other team has a better one than the bound."
-            ended = self._ended or Certificate(claim="bounded", method=METHOD)
+            limit, seed = self._control.ended_by(), self._control.seed
+            ended = self._ended or Certificate(claim="bounded", method=METHOD, limit=limit, seed=seed)
             certificate = replace(ended, method=METHOD, bound=told_bound(left), detail=detail)
         decided = all(entry.decided for entry, _ in self._listed)
         return Ranking(

@@ -58,6 +58,8 @@ class ExactKBest:
         Nodes of branch and bound looked at before it is given up: compiled, and in plain Python. Default 50,000,000 and 50,000.
     hands
         Threads that search side by side where the search is compiled and long. Default 2; what is found does not depend on it.
+    explain
+        Whether the limits that clash are sought where there is no alternative. Default true.
     """
 
     max_examined: int = 200_000
@@ -65,12 +67,14 @@ class ExactKBest:
     patience: int = 8
     max_nodes: tuple[int, int] = (50_000_000, 50_000)
     hands: int = 2
+    explain: bool = True
 
     def __call__(self, tree: GroundedTree | Flat, fleet: Fleet, weights: Weights, k: int, control: Control) -> Ranking:
         """See :class:`missiontree.allocation.allocator.Allocator`."""
         require_count(k)
         flat = flatten(tree, fleet, weights)
-        return with_clash(self._ranked(flat, k, control), flat, control)
+        ranking = self._ranked(flat, k, control)
+        return with_clash(ranking, flat, control) if self.explain else ranking
 
     def _ranked(self, flat: Flat, k: int, control: Control) -> Ranking:
         if not couples(flat):
