@@ -194,6 +194,7 @@ def _in_the_yard() -> Dialogue:
             trees("Fetch the crate", [("ReachAndTransportTree", ["red crate", "dock"]), ("Transport", ["crate_1", "gate"])], gate="XOR"),
             ("setLink", {"first": "Search(rex)", "second": "fetch-the-crate", "kind": "Precedence"}),
             ("setLink", {"first": "Follow(rex)", "second": "Fetch the crate", "kind": "Until"}),
+            ("setTimes", {"subtask": "Fetch the crate", "release_s": 10, "deadline_s": 3600}),
             ("checkTree", {}),
         ),
     )  # fmt: skip

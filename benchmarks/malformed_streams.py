@@ -31,7 +31,7 @@ from missiontree.llm.scripted import ScriptedModel, Turn
 
 ACCEPTED = "damaged calls accepted"
 UNFINISHED = "calls sent again in vain"
-COUNT = 20_000
+COUNT = 21_000
 TOKENS = 10**9  # a text of a million letters, sent back with every turn, would use up the default
 Manner = Literal["again", "on", "stubborn"]
 _NEED_NO_ARGUMENTS = ("wrong function", "empty")

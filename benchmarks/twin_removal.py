@@ -14,7 +14,7 @@ Kind = Literal["capability", "limit", "place", "other"]
 Path = tuple[str, ...]
 Change = tuple[Path, Any, Any]
 KINDS: tuple[Kind, ...] = ("capability", "limit", "place")
-_LIMIT_RULES = frozenset({"limit_too_low", "budget_exceeded"})
+_LIMIT_RULES = frozenset({"limit_too_low", "budget_exceeded", "limits_clash"})
 
 
 @dataclass(frozen=True, slots=True)
