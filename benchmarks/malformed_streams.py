@@ -3,7 +3,7 @@ Can a damaged call do harm? Sound dialogues with 25 kinds of damage, through the
 
 ::
 
-    python -m benchmarks.malformed_streams --count 20000 --seed 1 --state streams.json
+    python -m benchmarks.malformed_streams --count 21000 --seed 1 --state streams.json
 
 Every other run cuts a call short, until each call of each dialogue was cut after every byte, once for a model that sends the call
 again when it is refused and once for one that goes on. The other runs take the other kinds in turn; some of them damage several
