@@ -1,0 +1,44 @@
+"""Places: where robots start, and where entities are as they are carried about."""
+
+from __future__ import annotations
+
+from missiontree.mission.position import Position
+from missiontree.rechecking.facts import Facts
+
+NEAR_M = 1e-6
+
+
+def same_place(one: Position, other: Position) -> bool:
+    """Whether two positions, in frame ``map``, are one."""
+    near = abs(one.x_m - other.x_m) <= NEAR_M and abs(one.y_m - other.y_m) <= NEAR_M
+    return near and one.floor == other.floor and one.frame == other.frame
+
+
+def start_of(facts: Facts, robot: str) -> Position | None:
+    """Where a robot starts; None if unknown."""
+    one = facts.brief.fleet.robots[robot]
+    if one.position is not None:
+        return facts.world.in_map(one.position)
+    return _first_of(facts, one.place)
+
+
+def place_at(facts: Facts, entity: str | None, when_ms: int) -> Position | None:
+    """Where an entity is at a time: where the last move that brought it went, else where the scene has it. None if unknown."""
+    return _place_at(facts, entity, when_ms, frozenset())
+
+
+def _place_at(facts: Facts, entity: str | None, when_ms: int, asked: frozenset[int]) -> Position | None:
+    """As above; the moves already asked for are not asked again, for instant moves may bring two things to each other."""
+    where = _first_of(facts, entity)
+    moves = [
+        leaf for leaf in facts.bringing.get(entity or "", ()) if leaf not in asked and facts.end_ms[leaf] <= when_ms
+    ]
+    if moves:
+        last = max(moves, key=lambda leaf: (facts.end_ms[leaf], leaf))
+        where = _place_at(facts, facts.leaves[last].at, facts.start_ms[last], asked | {last})
+    return where
+
+
+def _first_of(facts: Facts, entity: str | None) -> Position | None:
+    known = facts.world.by_id.get(entity) if entity is not None else None
+    return None if known is None else facts.world.whereabouts(known).position
