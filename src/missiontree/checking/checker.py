@@ -31,6 +31,7 @@ from missiontree.checking.case import Case, Rule
 from missiontree.checking.fault import Fault
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
+from missiontree.rechecking import recheck
 
 RULES: tuple[Rule, ...] = (
     inputs.digest_mismatch,
@@ -154,7 +155,9 @@ def check(plan: Plan) -> tuple[Reason, ...]:
     """
     Check a plan against its inputs.
 
-    The checker shares no code with allocators and schedulers, and works out selections, utilities, places and distances afresh.
+    The checker shares no code with allocators and schedulers, and works out selections, utilities, places and distances afresh. What
+    it finds no fault with is looked at a second time by :func:`missiontree.rechecking.recheck`, which shares no code with it either,
+    so that a plan is sound only if both say so.
 
     Parameters
     ----------
@@ -167,7 +170,8 @@ def check(plan: Plan) -> tuple[Reason, ...]:
         Findings, each naming rule, node and robot; empty if the plan is sound.
     """
     case = Case(plan)
-    return tuple(_reason(rule, fault) for rule in RULES for fault in rule(case))
+    findings = tuple(_reason(rule, fault) for rule in RULES for fault in rule(case))
+    return findings or tuple(recheck(plan))
 
 
 def _reason(rule: Rule, fault: Fault) -> Reason:

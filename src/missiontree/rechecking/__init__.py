@@ -5,6 +5,6 @@ Two checkers that share no line are seldom wrong in the same place. This one is 
 over leaves and roles, dictionaries, whole milliseconds. It knows nothing but the mission's values.
 """
 
-from missiontree.rechecking.recheck import CORE_RULES, recheck
+from missiontree.rechecking.rechecker import CORE_RULES, recheck
 
 __all__ = ["CORE_RULES", "recheck"]

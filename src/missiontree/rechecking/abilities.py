@@ -9,14 +9,15 @@ from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
-from missiontree.mission.routine import Branch, Need, RoleSpec
-from missiontree.rechecking.facts import Facts, fault
+from missiontree.mission.routine import Branch, Need, RoleSpec, Routine
+from missiontree.rechecking.facts import Facts, broken
 
 
 @dataclass(frozen=True)
 class Way:
     """A role of a branch that a routine may come down to, with the entity of each argument."""
 
+    routine: Routine
     branch: Branch
     role: RoleSpec
     entities: Mapping[str, str]
@@ -34,7 +35,7 @@ def able(facts: Facts) -> Iterator[Reason]:
             message = (
                 f"{facts.label(leaf)} is done by {kind.id}, and its routine is for {', '.join(node.resources)} only."
             )
-            yield fault("core_ability", message, node=leaf, robot=kind.id)
+            yield broken("core_ability", message, node=leaf, robot=kind.id)
         ways = [
             way
             for way in _ways(facts, node.routine, node.arguments)
@@ -44,7 +45,7 @@ def able(facts: Facts) -> Iterator[Reason]:
             message = (
                 f"no role of {node.routine} with {action.name}, rated by {action.capability}, takes {kind.id} here."
             )
-            yield fault("core_ability", message, node=leaf, robot=kind.id)
+            yield broken("core_ability", message, node=leaf, robot=kind.id)
 
 
 def _ways(facts: Facts, routine_id: str, arguments: Mapping[str, str]) -> Iterator[Way]:
@@ -53,7 +54,7 @@ def _ways(facts: Facts, routine_id: str, arguments: Mapping[str, str]) -> Iterat
         return
     for branch in routine.branches:
         for role in branch.roles:
-            yield Way(branch, role, arguments)
+            yield Way(routine, branch, role, arguments)
     for part in routine.parts:
         below = facts.brief.routines.by_id[part.routine]
         named = {one.name: part.arguments.get(one.name, one.name) for one in below.arguments}
@@ -66,7 +67,7 @@ def _takes(facts: Facts, way: Way, kind: RobotType) -> bool:
     if kind.capability(way.role.rating) is None:
         return False
     if facts.brief.check_kinds:
-        for argument, kinds in way.branch.accepts.items():
+        for argument, kinds in (*way.routine.argument_kinds.items(), *way.branch.accepts.items()):
             entity = facts.world.by_id.get(way.entities.get(argument, ""))
             if entity is not None and not set(kinds) & set(facts.world.lineage(entity.kind)):
                 return False
@@ -100,7 +101,7 @@ def in_allowed_zones(facts: Facts) -> Iterator[Reason]:
         zone = _zone_of(facts, entity)
         if zone is not None and zone not in kind.zones:
             message = f"{facts.label(leaf)} is done in zone {zone}, which {kind.id} may not enter."
-            yield fault("core_zone", message, node=leaf, robot=kind.id)
+            yield broken("core_zone", message, node=leaf, robot=kind.id)
 
 
 def _zone_of(facts: Facts, entity: Entity) -> str | None:

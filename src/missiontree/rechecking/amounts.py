@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from missiontree.mission.reason import Reason
-from missiontree.rechecking.facts import Facts, fault
+from missiontree.rechecking.facts import Facts, broken
 
 LITTLE = 1e-6
 Used = dict[str, dict[str, list[float]]]  # robot → budget → amounts
@@ -84,5 +84,5 @@ def _mission(facts: Facts, used: Used) -> Iterator[Reason]:
 
 def _over(who: str, name: str, several: list[float], limit: float, rule: str, robot: str) -> Iterator[Reason]:
     total = math.fsum(several)
-    if total > limit + LITTLE * max(1.0, limit):
-        yield fault(rule, f"{who} uses {total:g} of {name}, and has {limit:g}.", robot=robot)
+    if total > limit + LITTLE:
+        yield broken(rule, f"{who} uses {total:g} of {name}, and has {limit:g}.", robot=robot)

@@ -21,7 +21,7 @@ def milliseconds(seconds: float) -> int:
     return round(seconds * 1000)
 
 
-def fault(rule: str, message: str, *, node: object = "", robot: str = "") -> Reason:
+def broken(rule: str, message: str, *, node: object = "", robot: str = "") -> Reason:
     """What is wrong, as every finding is told."""
     return Reason(rule=rule, message=message, node=str(node), robot=robot)
 
@@ -156,11 +156,11 @@ class Facts:
 
     @cached_property
     def world(self) -> Scene:
-        """The scene with what the operator declares and the author introduces."""
-        world = self.brief.world
-        known = {entity.id for entity in world.all_entities}
-        introduced = self.mission.entities if self.mission is not None else ()
-        return world.extended(tuple(entity for entity in introduced if entity.id not in known))
+        """The scene with what the operator declares and the author introduces; without the latter if it does not fit."""
+        try:
+            return self.brief.world.extended(self.mission.entities if self.mission is not None else ())
+        except ValueError:
+            return self.brief.world
 
     def label(self, node: int) -> str:
         """Label and index of a node."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from missiontree.mission.position import Position
 from missiontree.rechecking.facts import Facts
 
-NEAR_M = 1e-6
+NEAR_M = 1e-3
 
 
 def same_place(one: Position, other: Position) -> bool:

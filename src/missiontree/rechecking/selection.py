@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from missiontree.mission.reason import Reason
-from missiontree.rechecking.facts import Facts, fault
+from missiontree.rechecking.facts import Facts, broken
 
 RULE = "core_selection"
 
@@ -18,16 +18,16 @@ def one_child_per_xor(facts: Facts) -> Iterator[Reason]:
     reached = set(facts.selected)
     for choice in facts.alternative.choices:
         if choice.xor >= len(nodes) or nodes[choice.xor].kind != "xor":
-            yield fault(RULE, f"a choice is made at node {choice.xor}, which is no XOR.", node=choice.xor)
+            yield broken(RULE, f"a choice is made at node {choice.xor}, which is no XOR.", node=choice.xor)
         elif choice.child not in facts.tree.children[choice.xor]:
             message = f"{choice.child} is chosen at {facts.label(choice.xor)} and is no child of it."
-            yield fault(RULE, message, node=choice.xor)
+            yield broken(RULE, message, node=choice.xor)
         elif choice.xor not in reached:
-            yield fault(RULE, f"a choice is made at {facts.label(choice.xor)}, which is not reached.", node=choice.xor)
+            yield broken(RULE, f"a choice is made at {facts.label(choice.xor)}, which is not reached.", node=choice.xor)
     for node in facts.selected:
         if nodes[node].kind == "xor" and chosen[node] != 1:
             message = f"{facts.label(node)} has {chosen[node]} chosen children; a reached XOR has exactly one."
-            yield fault(RULE, message, node=node)
+            yield broken(RULE, message, node=node)
 
 
 def choices_in_preorder(facts: Facts) -> Iterator[Reason]:
@@ -35,4 +35,4 @@ def choices_in_preorder(facts: Facts) -> Iterator[Reason]:
     reached = [node for node in facts.selected if facts.tree.nodes[node].kind == "xor"]
     chosen = [choice.xor for choice in facts.alternative.choices]
     if sorted(chosen) == sorted(reached) and chosen != reached:
-        yield fault(RULE, f"choices stand in the order {chosen}, and are reached in the order {reached}.")
+        yield broken(RULE, f"choices stand in the order {chosen}, and are reached in the order {reached}.")

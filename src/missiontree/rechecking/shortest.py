@@ -8,11 +8,6 @@ from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
 
 
-def only_straight(world: Scene) -> bool:
-    """Whether every way is the straight line."""
-    return world.roads is None and world.grid is None and not world.keep_outs
-
-
 def least_m(world: Scene, origin: Position, destination: Position) -> float:
     """A length in metres that no way falls below."""
     straight = math.hypot(origin.x_m - destination.x_m, origin.y_m - destination.y_m)
@@ -38,8 +33,10 @@ def _shrunk(world: Scene) -> float:
     return least
 
 
-def least_s(world: Scene, origin: Position, destination: Position) -> float:
-    """Seconds that a change of floors takes beside the driving, at the very least."""
-    if origin.floor == destination.floor or world.roads is None:
-        return 0.0
-    return min((lift.ride_s for lift in world.roads.lifts), default=0.0)
+def rides_s(world: Scene) -> list[float]:
+    """Seconds that each way from floor to floor takes beside the driving: the ride in a lift, nothing on a road."""
+    if world.roads is None:
+        return []
+    points = world.road_points
+    ramps = [road for road in world.roads.roads if points[road.ends[0]].floor != points[road.ends[1]].floor]
+    return [0.0 for _ in ramps] + [lift.ride_s for lift in world.roads.lifts]

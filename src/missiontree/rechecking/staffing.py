@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from missiontree.mission.alternative import Assignment
 from missiontree.mission.reason import Reason
-from missiontree.rechecking.facts import Facts, fault
+from missiontree.rechecking.facts import Facts, broken
 
 
 def types_of_roles(facts: Facts) -> Iterator[Reason]:
@@ -14,7 +14,7 @@ def types_of_roles(facts: Facts) -> Iterator[Reason]:
     told = facts.alternative.roles
     reached = sorted(facts.leaves_of_role)
     if [one.role for one in told] != reached:
-        yield fault("core_types", f"types are given to roles {[one.role for one in told]}; reached are {reached}.")
+        yield broken("core_types", f"types are given to roles {[one.role for one in told]}; reached are {reached}.")
     for one in told:
         for leaf in facts.leaves_of_role.get(one.role, []):
             needed = facts.leaves[leaf].robot_type
@@ -22,7 +22,7 @@ def types_of_roles(facts: Facts) -> Iterator[Reason]:
                 message = (
                     f"role {one.role} is filled by type {one.robot_type}; {facts.label(leaf)} is done by {needed}."
                 )
-                yield fault("core_types", message, node=leaf, robot=one.robot_type)
+                yield broken("core_types", message, node=leaf, robot=one.robot_type)
 
 
 def robots_of_roles(facts: Facts) -> Iterator[Reason]:
@@ -32,11 +32,11 @@ def robots_of_roles(facts: Facts) -> Iterator[Reason]:
     told = [one.role for one in facts.schedule.assignments]
     reached = sorted(facts.leaves_of_role)
     if told != reached:
-        yield fault("core_staffing", f"the schedule fills roles {told}; reached are {reached}.")
+        yield broken("core_staffing", f"the schedule fills roles {told}; reached are {reached}.")
     for one in facts.schedule.actions:
         if one.leaf in facts.leaves and facts.robot_of_role.get(facts.leaves[one.leaf].role) != one.robot:
             message = f"{one.robot} does {facts.label(one.leaf)}, and is not the robot of its role."
-            yield fault("core_staffing", message, node=one.leaf, robot=one.robot)
+            yield broken("core_staffing", message, node=one.leaf, robot=one.robot)
 
 
 def scheduled_team(facts: Facts) -> Iterator[Reason]:
@@ -52,7 +52,7 @@ def witnessed_team(facts: Facts) -> Iterator[Reason]:
         return
     told = sorted(one.role for one in witness)
     if told != sorted(facts.leaves_of_role):
-        yield fault("core_staffing", f"the witness fills roles {told}; reached are {sorted(facts.leaves_of_role)}.")
+        yield broken("core_staffing", f"the witness fills roles {told}; reached are {sorted(facts.leaves_of_role)}.")
     yield from _team(facts, witness)
 
 
@@ -70,16 +70,16 @@ def _right_types(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[Reason]:
     out = facts.brief.without
     for role, robot in robot_of.items():
         if robot not in there:
-            yield fault("core_staffing", f"{robot} fills role {role} and is not in the fleet.", robot=robot)
+            yield broken("core_staffing", f"{robot} fills role {role} and is not in the fleet.", robot=robot)
             continue
         kind = there[robot].id
         for leaf in facts.leaves_of_role[role]:
             if facts.leaves[leaf].robot_type != kind:
                 message = f"{robot} is of type {kind}; {facts.label(leaf)} is done by {facts.leaves[leaf].robot_type}."
-                yield fault("core_staffing", message, node=leaf, robot=robot)
+                yield broken("core_staffing", message, node=leaf, robot=robot)
         # A name that both a type and a robot have means the type.
         if kind in out or (robot in out and robot not in facts.brief.fleet.by_id):
-            yield fault("core_without", f"{robot} fills role {role}, and the mission leaves it out.", robot=robot)
+            yield broken("core_without", f"{robot} fills role {role}, and the mission leaves it out.", robot=robot)
 
 
 def _different_in_teams(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[Reason]:
@@ -88,7 +88,7 @@ def _different_in_teams(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[R
             team = facts.tree.roles[one].team
             if one < other and robot == same and team is not None and team == facts.tree.roles[other].team:
                 message = f"{robot} fills roles {one} and {other}, which need different robots."
-                yield fault("core_different_robots", message, node=other, robot=robot)
+                yield broken("core_different_robots", message, node=other, robot=robot)
 
 
 def _linked(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[Reason]:
@@ -103,13 +103,13 @@ def _linked(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[Reason]:
                 f"{facts.label(link.first)} and {facts.label(link.second)} are for one robot, "
                 f"and are done by {', '.join(sorted(together))}."
             )
-            yield fault("core_same_robot", message, node=link.second)
+            yield broken("core_same_robot", message, node=link.second)
     for link in facts.links("different_robot"):
         for robot in sorted(robots_below(link.first) & robots_below(link.second)):
             message = (
                 f"{robot} takes part in {facts.label(link.first)} and in {facts.label(link.second)}, which it may not."
             )
-            yield fault("core_different_robots", message, node=link.second, robot=robot)
+            yield broken("core_different_robots", message, node=link.second, robot=robot)
 
 
 def _not_too_many(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[Reason]:
@@ -117,7 +117,7 @@ def _not_too_many(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[Reason]
         used = {robot for robot in robot_of.values() if robot in {one.id for one in kind.members}}
         if kind.max_in_use is not None and len(used) > kind.max_in_use:
             message = f"{len(used)} robots of type {kind.id} take part; at most {kind.max_in_use} may."
-            yield fault("core_max_in_use", message, robot=kind.id)
+            yield broken("core_max_in_use", message, robot=kind.id)
 
 
 def _required(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[Reason]:
@@ -125,7 +125,7 @@ def _required(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[Reason]:
     kinds = {fleet.type_of[robot].id for robot in robot_of.values() if robot in fleet.type_of}
     for name in facts.brief.require:
         if name not in (kinds if name in fleet.by_id else set(robot_of.values())):
-            yield fault("core_require", f"{name} must take part, and does not.", robot=name)
+            yield broken("core_require", f"{name} must take part, and does not.", robot=name)
 
 
 def required_types(facts: Facts) -> Iterator[Reason]:
@@ -136,7 +136,7 @@ def required_types(facts: Facts) -> Iterator[Reason]:
         kind = name if name in fleet.by_id else fleet.type_of[name].id
         if kind not in taking:
             message = f"{name} must take part, and no role of rank {facts.alternative.rank} is filled by type {kind}."
-            yield fault("core_require", message, robot=name)
+            yield broken("core_require", message, robot=name)
 
 
 def enough_for_teams(facts: Facts) -> Iterator[Reason]:
@@ -152,4 +152,4 @@ def enough_for_teams(facts: Facts) -> Iterator[Reason]:
             message = (
                 f"{count} robots of type {kind_id} are needed at once, and there are {kind.usable if kind else 0}."
             )
-            yield fault("core_different_robots", message, robot=kind_id)
+            yield broken("core_different_robots", message, robot=kind_id)

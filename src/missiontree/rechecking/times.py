@@ -8,7 +8,10 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from missiontree.mission.reason import Reason
-from missiontree.rechecking.facts import TICK_MS, Facts, fault, milliseconds
+from missiontree.mission.schedule import ScheduledAction, TravelLeg
+from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
+
+GRAIN = 1e-3  # of a millisecond; what a number of seconds loses in binary is far less
 
 
 def every_action_once(facts: Facts) -> Iterator[Reason]:
@@ -17,10 +20,22 @@ def every_action_once(facts: Facts) -> Iterator[Reason]:
     for leaf in facts.leaves:
         if told[leaf] != 1:
             message = f"{facts.label(leaf)} is scheduled {told[leaf]} times; it is to be done once."
-            yield fault("core_actions", message, node=leaf)
+            yield broken("core_actions", message, node=leaf)
     for leaf in told:
         if leaf not in facts.leaves:
-            yield fault("core_actions", f"action {leaf} is scheduled and is not selected.", node=leaf)
+            yield broken("core_actions", f"action {leaf} is scheduled and is not selected.", node=leaf)
+
+
+def on_the_grid(facts: Facts) -> Iterator[Reason]:
+    """Times are whole milliseconds."""
+    if facts.schedule is None:
+        return
+    timed: list[ScheduledAction | TravelLeg] = [*facts.schedule.actions, *facts.schedule.legs]
+    for one in timed:
+        for time_s in (one.start_s, one.end_s):
+            if abs(time_s * 1000 - round(time_s * 1000)) > GRAIN:
+                message = f"{time_s} s is no whole number of milliseconds."
+                yield broken("core_grid", message, node=one.leaf, robot=one.robot)
 
 
 def durations(facts: Facts) -> Iterator[Reason]:
@@ -39,7 +54,7 @@ def durations(facts: Facts) -> Iterator[Reason]:
         lasts = facts.end_ms[leaf] - facts.start_ms[leaf]
         if abs(lasts - needed) > TICK_MS:
             message = f"{facts.label(leaf)} lasts {lasts / 1000} s, and takes {needed / 1000} s."
-            yield fault("core_duration", message, node=leaf)
+            yield broken("core_duration", message, node=leaf)
 
 
 def _up(seconds: float) -> int:
@@ -52,7 +67,7 @@ def actions_in_order(facts: Facts) -> Iterator[Reason]:
         for earlier, later in pairwise(leaves):
             if facts.end_ms[earlier] > facts.start_ms[later] + TICK_MS:
                 message = f"{facts.label(later)} starts before {facts.label(earlier)} of the same role has ended."
-                yield fault("core_order", message, node=later, robot=facts.robot_of_role.get(role, ""))
+                yield broken("core_order", message, node=later, robot=facts.robot_of_role.get(role, ""))
 
 
 def one_role_at_a_time(facts: Facts) -> Iterator[Reason]:
@@ -64,7 +79,7 @@ def one_role_at_a_time(facts: Facts) -> Iterator[Reason]:
                 again, until = facts.hold_of(other)
                 if one < other and start + TICK_MS < until and again + TICK_MS < end:
                     message = f"{robot} is held by roles {one} and {other} at the same time."
-                    yield fault("core_holding", message, node=facts.leaves_of_role[other][0], robot=robot)
+                    yield broken("core_holding", message, node=facts.leaves_of_role[other][0], robot=robot)
 
 
 def precedence(facts: Facts) -> Iterator[Reason]:
@@ -77,21 +92,26 @@ def precedence(facts: Facts) -> Iterator[Reason]:
                 f"{facts.label(link.first)} ends at {end / 1000} s; {facts.label(link.second)} comes after it "
                 f"and starts at {start / 1000} s."
             )
-            yield fault("core_precedence", message, node=link.second)
+            yield broken("core_precedence", message, node=link.second)
 
 
 def until(facts: Facts) -> Iterator[Reason]:
     """The open-ended actions of the first node of an until last until the second ends: all of those that they last until."""
-    ends: dict[int, int] = {}
+    ends: dict[int, list[int]] = {}
     for link in facts.links("until"):
         end = max(facts.end_ms[leaf] for leaf in facts.below(link.second))
         for leaf in facts.below(link.first):
             if facts.leaves[leaf].open_ended:
-                ends[leaf] = max(end, ends.get(leaf, 0))
-    for leaf, end in ends.items():
-        if abs(facts.end_ms[leaf] - end) > TICK_MS:
-            message = f"{facts.label(leaf)} ends at {facts.end_ms[leaf] / 1000} s, and lasts until {end / 1000} s."
-            yield fault("core_until", message, node=leaf)
+                ends.setdefault(leaf, []).append(end)
+    for leaf, several in ends.items():
+        if abs(facts.end_ms[leaf] - max(several)) > TICK_MS:
+            message = (
+                f"{facts.label(leaf)} ends at {facts.end_ms[leaf] / 1000} s, and lasts until {max(several) / 1000} s."
+            )
+            yield broken("core_until", message, node=leaf)
+        if facts.start_ms[leaf] >= min(several):
+            message = f"{facts.label(leaf)} lasts until {min(several) / 1000} s, and is not under way by then."
+            yield broken("core_until", message, node=leaf)
 
 
 def joint_work(facts: Facts) -> Iterator[Reason]:
@@ -105,7 +125,7 @@ def joint_work(facts: Facts) -> Iterator[Reason]:
                 message = (
                     f"{facts.label(leaf)} and {facts.label(first)} are joint work, and do not start and end together."
                 )
-                yield fault("core_joint", message, node=leaf)
+                yield broken("core_joint", message, node=leaf)
 
 
 def makespan(facts: Facts) -> Iterator[Reason]:
@@ -115,8 +135,8 @@ def makespan(facts: Facts) -> Iterator[Reason]:
     latest = max(facts.end_ms.values(), default=0)
     if milliseconds(facts.schedule.makespan_s) != latest:
         message = f"the makespan is {facts.schedule.makespan_s} s, and the last action ends at {latest / 1000} s."
-        yield fault("core_makespan", message)
+        yield broken("core_makespan", message)
 
 
 # One rule of time, one function. A release, a deadline or a time of availability is one more.
-TIME_RULES = (durations, actions_in_order, one_role_at_a_time, precedence, until, joint_work, makespan)
+TIME_RULES = (on_the_grid, durations, actions_in_order, one_role_at_a_time, precedence, until, joint_work, makespan)

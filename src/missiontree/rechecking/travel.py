@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import TravelLeg
-from missiontree.rechecking.facts import TICK_MS, Facts, fault, milliseconds
+from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
 from missiontree.rechecking.places import NEAR_M, place_at, same_place, start_of
-from missiontree.rechecking.shortest import least_m, least_s, only_straight
+from missiontree.rechecking.shortest import least_m, rides_s
 
 RULE = "core_travel"
 
@@ -22,7 +22,7 @@ def legs_belong(facts: Facts) -> Iterator[Reason]:
         doer = facts.robot_of_role.get(facts.leaves[leg.leaf].role) if leg.leaf in facts.leaves else None
         if doer != leg.robot or leg.leaf in seen:
             message = f"{leg.robot} travels for action {leg.leaf}, which is not its own, or was travelled for before."
-            yield fault(RULE, message, node=leg.leaf, robot=leg.robot)
+            yield broken(RULE, message, node=leg.leaf, robot=leg.robot)
         seen.add(leg.leaf)
 
 
@@ -38,9 +38,9 @@ def robots_come_from_where_they_were(facts: Facts) -> Iterator[Reason]:
             leg = legs.get(leaf)
             if leg is not None:
                 yield from _leg_joins(facts, leg, here, there, free_ms)
-            elif here is not None and there is not None and not same_place(here, there) and _speed(facts, leaf):
+            elif here is not None and there is not None and not same_place(here, there):
                 message = f"{robot} is at {_shown(here)}; {facts.label(leaf)} is at {_shown(there)}, and no travel is planned."
-                yield fault(RULE, message, node=leaf, robot=robot)
+                yield broken(RULE, message, node=leaf, robot=robot)
             if action.at is not None:
                 here = there
             free_ms = facts.end_ms[leaf]
@@ -52,7 +52,7 @@ def _leg_joins(
     """A leg starts where the robot is and ends at the action, between what the robot did before and the action."""
 
     def wrong(message: str) -> Reason:
-        return fault(RULE, message, node=leg.leaf, robot=leg.robot)
+        return broken(RULE, message, node=leg.leaf, robot=leg.robot)
 
     start, end = milliseconds(leg.start_s), milliseconds(leg.end_s)
     if here is None or not same_place(leg.origin, here):
@@ -69,70 +69,67 @@ def _leg_joins(
 
 
 def no_faster_than_it_is(facts: Facts) -> Iterator[Reason]:
-    """A leg is as long as the world makes it, and takes the robot at least as long as its speed says."""
+    """A leg is no shorter than the world allows, and takes the robot at least as long as its speed says."""
     for leg in facts.schedule.legs if facts.schedule is not None else ():
         if leg.leaf not in facts.leaves:
             continue
-        straight = least_m(facts.world, leg.origin, leg.destination)
-        exact = only_straight(facts.world)
-        if leg.distance_m < straight - NEAR_M or (exact and leg.distance_m > straight + NEAR_M):
-            message = f"the way to {facts.label(leg.leaf)} is {leg.distance_m} m long; it is {'' if exact else 'at least '}{straight} m."
-            yield fault(RULE, message, node=leg.leaf, robot=leg.robot)
-        if leg.origin.floor != leg.destination.floor and not (facts.world.roads and facts.world.roads.lifts):
+        least = least_m(facts.world, leg.origin, leg.destination)
+        if leg.distance_m < least - NEAR_M:
             message = (
-                f"{leg.robot} travels from floor {leg.origin.floor} to {leg.destination.floor}, and there is no lift."
+                f"the way to {facts.label(leg.leaf)} is said to be {leg.distance_m} m long; it is at least {least} m."
             )
-            yield fault(RULE, message, node=leg.leaf, robot=leg.robot)
-        speed = _speed(facts, leg.leaf)
-        lasts = milliseconds(leg.end_s) - milliseconds(leg.start_s)
-        needed = _needed_ms(facts, leg, speed) if speed else 0
+            yield broken(RULE, message, node=leg.leaf, robot=leg.robot)
+        if leg.origin.floor != leg.destination.floor and not rides_s(facts.world):
+            message = (
+                f"{leg.robot} travels from floor {leg.origin.floor} to {leg.destination.floor}; no way leads there."
+            )
+            yield broken(RULE, message, node=leg.leaf, robot=leg.robot)
+        lasts, needed = milliseconds(leg.end_s) - milliseconds(leg.start_s), _needed_ms(facts, leg)
         if lasts + TICK_MS < needed:
-            message = f"{leg.robot} travels {leg.distance_m} m in {lasts / 1000} s; at {speed} m/s it takes {needed / 1000} s."
-            yield fault(RULE, message, node=leg.leaf, robot=leg.robot)
+            message = (
+                f"{leg.robot} travels {leg.distance_m} m in {lasts / 1000} s; it takes at least {needed / 1000} s."
+            )
+            yield broken(RULE, message, node=leg.leaf, robot=leg.robot)
 
 
-def _needed_ms(facts: Facts, leg: TravelLeg, speed: float) -> int:
-    ride_s = least_s(facts.world, leg.origin, leg.destination)
+def _needed_ms(facts: Facts, leg: TravelLeg) -> int:
+    """Time that the metres of a leg take at the robot's speed, and a change of floors; 0 if the speed is unknown."""
+    speed = _speed(facts, leg.leaf)
+    if speed is None:
+        return 0
+    floors = leg.origin.floor != leg.destination.floor
+    ride_s = min(rides_s(facts.world), default=0.0) if floors else 0.0
     return math.ceil(round((leg.distance_m / speed + ride_s) * 1000, 6))
 
 
-def moves_are_their_travel(facts: Facts) -> Iterator[Reason]:
-    """A move lasts as long as its travel; where no way is known, as long as its routine says. Joint moves: as the longest."""
-    legs = {leg.leaf: leg for leg in facts.schedule.legs} if facts.schedule is not None else {}
-    lifts = facts.world.roads is not None and facts.world.roads.lifts
+def blind_moves_take_their_time(facts: Facts) -> Iterator[Reason]:
+    """A move with no way that is known, or no speed, takes what its routine says. Joint work with such a move: no less."""
+    legs = {leg.leaf for leg in facts.schedule.legs} if facts.schedule is not None else set()
     for leaf, action in facts.leaves.items():
-        if not action.moves:
+        if not action.moves or (leaf in legs and _speed(facts, leaf) is not None):
             continue
-        needed = 0
-        for one in facts.together(leaf):
-            speed = _speed(facts, one)
-            if facts.leaves[one].moves and one in legs and speed:
-                needed = max(needed, _needed_ms(facts, legs[one], speed))
-            else:
-                needed = max(needed, math.ceil(round(facts.leaves[one].duration_s * 1000, 6)))
+        needed = math.ceil(round(action.duration_s * 1000, 6))
         lasts = facts.end_ms[leaf] - facts.start_ms[leaf]
-        if lasts + TICK_MS < needed or (lasts > needed + TICK_MS and not lifts):
-            message = f"{facts.label(leaf)} lasts {lasts / 1000} s, and its way takes {needed / 1000} s."
-            yield fault(RULE, message, node=leaf, robot=facts.robot_of_role.get(action.role, ""))
+        if lasts + TICK_MS < needed:
+            message = (
+                f"{facts.label(leaf)} lasts {lasts / 1000} s; its way is not known, so it takes {needed / 1000} s."
+            )
+            yield broken(RULE, message, node=leaf, robot=facts.robot_of_role.get(action.role, ""))
 
 
 def _speed(facts: Facts, leaf: int) -> float | None:
-    """Speed at which a robot travels for an action: its own, that of what it brings, the slowest where they move together."""
-    known: list[float | None] = []
-    for one in facts.together(leaf) if facts.leaves[leaf].moves else [leaf]:
-        action = facts.leaves[one]
-        if not action.moves and one != leaf:
-            continue
-        kind = facts.brief.fleet.by_id.get(action.robot_type)
-        known.append(kind.limits.get("max_speed_mps") if kind is not None else None)
-        for entity in action.brings:
-            brought = facts.world.by_id.get(entity)
-            known.append(brought.max_speed_mps if brought is not None else None)
-    return min((speed for speed in known if speed is not None), default=None)
+    """Speed at which a robot travels for an action: its own, or that of what it brings if that is slower; None if its own is unknown."""
+    action = facts.leaves[leaf]
+    kind = facts.brief.fleet.by_id.get(action.robot_type)
+    own = kind.limits.get("max_speed_mps") if kind is not None else None
+    if own is None:
+        return None
+    brought = [facts.world.by_id[entity].max_speed_mps for entity in action.brings if entity in facts.world.by_id]
+    return min([own, *(speed for speed in brought if speed is not None)])
 
 
 def _shown(where: Position) -> str:
     return f"({where.x_m:g}, {where.y_m:g}) on {where.floor}"
 
 
-TRAVEL_RULES = (legs_belong, robots_come_from_where_they_were, no_faster_than_it_is, moves_are_their_travel)
+TRAVEL_RULES = (legs_belong, robots_come_from_where_they_were, no_faster_than_it_is, blind_moves_take_their_time)

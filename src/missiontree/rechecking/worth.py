@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
-from missiontree.rechecking.facts import Facts, fault
+from missiontree.rechecking.facts import Facts, broken
 
 MILLION = 1_000_000
 
@@ -23,7 +23,7 @@ def utility_is_the_sum(facts: Facts) -> Iterator[Reason]:
     told = round(facts.alternative.utility * MILLION)
     if told != total:
         message = f"the utility of rank {facts.alternative.rank} is {told / MILLION}, its actions add up to {total / MILLION}."
-        yield fault("core_utility", message)
+        yield broken("core_utility", message)
 
 
 def quality_is_the_types(facts: Facts) -> Iterator[Reason]:
@@ -33,13 +33,13 @@ def quality_is_the_types(facts: Facts) -> Iterator[Reason]:
         ability = kind.capability(action.capability) if kind is not None else None
         if ability is None:
             message = f"{facts.label(leaf)} is rated by {action.capability}, which {action.robot_type} does not have."
-            yield fault("core_quality", message, node=leaf, robot=action.robot_type)
+            yield broken("core_quality", message, node=leaf, robot=action.robot_type)
         elif ability.quality != action.estimate.quality:
             message = (
                 f"{facts.label(leaf)} has quality {action.estimate.quality}; {action.robot_type} does "
                 f"{action.capability} with {ability.quality}."
             )
-            yield fault("core_quality", message, node=leaf, robot=action.robot_type)
+            yield broken("core_quality", message, node=leaf, robot=action.robot_type)
 
 
 def good_enough(facts: Facts) -> Iterator[Reason]:
@@ -48,7 +48,7 @@ def good_enough(facts: Facts) -> Iterator[Reason]:
         least = _least(facts, leaf, action)
         if action.estimate.quality < least:
             message = f"{facts.label(leaf)} has quality {action.estimate.quality}, and the mission asks for {least}."
-            yield fault("core_min_quality", message, node=leaf, robot=action.robot_type)
+            yield broken("core_min_quality", message, node=leaf, robot=action.robot_type)
 
 
 def _least(facts: Facts, leaf: int, action: Action) -> float:
@@ -67,9 +67,9 @@ def ranks_in_order(alternatives: Sequence[Alternative]) -> Iterator[Reason]:
     """Ranks count from 1; the better stands first, and of two that are equal the one with the earlier choices."""
     for place, one in enumerate(alternatives, start=1):
         if one.rank != place:
-            yield fault("core_ranks", f"the alternative in place {place} has rank {one.rank}.")
+            yield broken("core_ranks", f"the alternative in place {place} has rank {one.rank}.")
     keys = [(-round(one.utility * MILLION), [choice.child for choice in one.choices]) for one in alternatives]
     for place in range(1, len(keys)):
         if not keys[place - 1] < keys[place]:
             message = f"the alternatives in places {place} and {place + 1} are alike or stand in the wrong order."
-            yield fault("core_ranks", message)
+            yield broken("core_ranks", message)

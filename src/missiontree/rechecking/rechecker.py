@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
-from missiontree.rechecking import abilities, amounts, selection, staffing, times, travel, worth
-from missiontree.rechecking.facts import Facts, fault
+from missiontree.rechecking import abilities, amounts, claims, selection, staffing, times, travel, worth
+from missiontree.rechecking.facts import Facts, broken
 
 CHOSEN = (selection.one_child_per_xor, selection.choices_in_preorder)
 ALTERNATIVE = (
@@ -18,18 +18,21 @@ ALTERNATIVE = (
     staffing.witnessed_team,
     amounts.witnessed_amounts,
     amounts.least_amounts,
+    claims.bound_of_the_alternative,
     abilities.able,
     abilities.in_allowed_zones,
 )
 STAFFED = (staffing.robots_of_roles, staffing.scheduled_team, times.every_action_once)
-TIMED = (*times.TIME_RULES, *travel.TRAVEL_RULES, amounts.scheduled_amounts)
+TIMED = (*times.TIME_RULES, *travel.TRAVEL_RULES, amounts.scheduled_amounts, claims.bound_of_the_schedule)
 
 CORE_RULES = {
     "core_ability": "a type does what it is able to, by capability, limits, kinds of arguments and resources",
     "core_actions": "every selected action is scheduled once, and nothing else is",
     "core_budget": "no robot uses more of a budget than it has",
+    "core_claims": "no bound contradicts what is shown, and what is called optimal is proven",
     "core_different_robots": "joint roles, and nodes linked so, have different robots",
     "core_duration": "an action lasts as long as it takes",
+    "core_grid": "times are whole milliseconds",
     "core_holding": "a robot takes one role at a time",
     "core_joint": "joint actions start and end together",
     "core_makespan": "the makespan is the latest end",
@@ -74,13 +77,14 @@ def recheck(plan: Plan) -> list[Reason]:
         return []
     alternatives = plan.ranking.alternatives
     found = list(worth.ranks_in_order(alternatives))
-    if plan.schedules and [one.rank for one in plan.schedules] != [one.rank for one in alternatives]:
-        found.append(fault("core_schedules", "the schedules do not stand beside the alternatives, one for each."))
+    expected = plan.outcome == "delivered" or plan.schedules
+    if expected and [one.rank for one in plan.schedules] != [one.rank for one in alternatives]:
+        found.append(broken("core_schedules", "the schedules do not stand beside the alternatives, one for each."))
     for alternative in alternatives:
         schedule = next((one for one in plan.schedules if one.rank == alternative.rank), None)
         if schedule is not None and schedule.status in {"infeasible", "unknown"}:
             if schedule.actions or schedule.legs or schedule.assignments:
-                found.append(fault("core_schedules", f"the schedule of rank {alternative.rank} says there is none."))
+                found.append(broken("core_schedules", f"the schedule of rank {alternative.rank} says there is none."))
             schedule = None
         found += _one(Facts(plan.brief, plan.tree, plan.grounding.tree, alternative, schedule))
     return found
@@ -96,6 +100,6 @@ def _one(facts: Facts) -> list[Reason]:
         return found
     staffed = [one for rule in STAFFED for one in rule(facts)]
     known = facts.brief.fleet.robots
-    if len(facts.leaves) != len(facts.start_ms) or any(robot not in known for robot in facts.robot_of_role.values()):
+    if set(facts.leaves) != set(facts.start_ms) or any(robot not in known for robot in facts.robot_of_role.values()):
         return found + staffed
     return found + staffed + [one for rule in TIMED for one in rule(facts)]
