@@ -7,11 +7,14 @@ from functools import cached_property
 
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.fleet import RobotType
 from missiontree.mission.grounded import Action, GroundedLink, GroundedTree
+from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.tree import LinkKind, MissionTree
+from missiontree.rechecking.shortest import least
 
 TICK_MS = 1
 
@@ -161,6 +164,17 @@ class Facts:
             return self.brief.world.extended(self.mission.entities if self.mission is not None else ())
         except ValueError:
             return self.brief.world
+
+    @cached_property
+    def _known_ways(self) -> dict[tuple[str, Position, Position, float | None], float]:
+        return {}
+
+    def least(self, kind: RobotType, origin: Position, destination: Position, speed_mps: float | None = None) -> float:
+        """The least length of a way for a type, or its least time at a speed; worked out once for each two places."""
+        asked = (kind.id, origin, destination, speed_mps)
+        if asked not in self._known_ways:
+            self._known_ways[asked] = least(self.world, kind, origin, destination, speed_mps)
+        return self._known_ways[asked]
 
     def label(self, node: int) -> str:
         """Label and index of a node."""

@@ -10,7 +10,6 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import TravelLeg
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
 from missiontree.rechecking.places import NEAR_M, place_at, same_place, start_of
-from missiontree.rechecking.shortest import least_m, rides_s
 
 RULE = "core_travel"
 
@@ -69,37 +68,21 @@ def _leg_joins(
 
 
 def no_faster_than_it_is(facts: Facts) -> Iterator[Reason]:
-    """A leg is no shorter than the world allows, and takes the robot at least as long as its speed says."""
+    """A leg leads where a way leads, is no shorter than the world allows, and takes the robot as long as its speed says at least."""
     for leg in facts.schedule.legs if facts.schedule is not None else ():
-        if leg.leaf not in facts.leaves:
+        kind = facts.brief.fleet.type_of.get(leg.robot)
+        if leg.leaf not in facts.leaves or kind is None:
             continue
-        least = least_m(facts.world, leg.origin, leg.destination)
-        if leg.distance_m < least - NEAR_M:
-            message = (
-                f"the way to {facts.label(leg.leaf)} is said to be {leg.distance_m} m long; it is at least {least} m."
-            )
+        metres, speed = facts.least(kind, leg.origin, leg.destination), _speed(facts, leg.leaf)
+        if leg.distance_m < metres - NEAR_M:
+            message = f"the way to {facts.label(leg.leaf)} is {metres:g} m long at least, and is said to be {leg.distance_m:g} m."
             yield broken(RULE, message, node=leg.leaf, robot=leg.robot)
-        if leg.origin.floor != leg.destination.floor and not rides_s(facts.world):
-            message = (
-                f"{leg.robot} travels from floor {leg.origin.floor} to {leg.destination.floor}; no way leads there."
-            )
-            yield broken(RULE, message, node=leg.leaf, robot=leg.robot)
-        lasts, needed = milliseconds(leg.end_s) - milliseconds(leg.start_s), _needed_ms(facts, leg)
-        if lasts + TICK_MS < needed:
-            message = (
-                f"{leg.robot} travels {leg.distance_m} m in {lasts / 1000} s; it takes at least {needed / 1000} s."
-            )
-            yield broken(RULE, message, node=leg.leaf, robot=leg.robot)
-
-
-def _needed_ms(facts: Facts, leg: TravelLeg) -> int:
-    """Time that the metres of a leg take at the robot's speed, and a change of floors; 0 if the speed is unknown."""
-    speed = _speed(facts, leg.leaf)
-    if speed is None:
-        return 0
-    floors = leg.origin.floor != leg.destination.floor
-    ride_s = min(rides_s(facts.world), default=0.0) if floors else 0.0
-    return math.ceil(round((leg.distance_m / speed + ride_s) * 1000, 6))
+        elif speed is not None:
+            seconds = max(leg.distance_m / speed, facts.least(kind, leg.origin, leg.destination, speed))
+            lasts, needed = milliseconds(leg.end_s) - milliseconds(leg.start_s), math.ceil(round(seconds * 1000, 6))
+            if lasts + TICK_MS < needed:
+                message = f"{leg.robot} travels {leg.distance_m:g} m in {lasts / 1000} s; it takes {needed / 1000} s at least."
+                yield broken(RULE, message, node=leg.leaf, robot=leg.robot)
 
 
 def blind_moves_take_their_time(facts: Facts) -> Iterator[Reason]:
