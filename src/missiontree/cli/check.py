@@ -17,7 +17,7 @@ def command(
     as_json: options.AsJson = False,
     colour: options.Colour = None,
 ) -> int:
-    """Check a plan against the inputs it carries, by code that shares nothing with the solvers."""
+    """Check a plan against the inputs it carries, by two checkers that share nothing with the solvers, nor with each other."""
     import json
 
     from missiontree.checking import check, taken_on_trust

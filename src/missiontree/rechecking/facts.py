@@ -7,14 +7,12 @@ from functools import cached_property
 
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.brief import MissionBrief
-from missiontree.mission.fleet import RobotType
 from missiontree.mission.grounded import Action, GroundedLink, GroundedTree
-from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.tree import LinkKind, MissionTree
-from missiontree.rechecking.shortest import least
+from missiontree.rechecking.shortest import Ways
 
 TICK_MS = 1
 
@@ -42,6 +40,8 @@ class Facts:
         The alternative.
     schedule
         Its schedule; None if the plan has none for it, or nothing is scheduled in it.
+    ways
+        How long ways are at least, in the scene with all entities that the plan knows of.
     """
 
     brief: MissionBrief
@@ -49,6 +49,7 @@ class Facts:
     tree: GroundedTree
     alternative: Alternative
     schedule: Schedule | None
+    ways: Ways
 
     @cached_property
     def selected(self) -> list[int]:
@@ -157,24 +158,10 @@ class Facts:
         leaves = self.leaves_of_role[role]
         return min(self.start_ms[leaf] for leaf in leaves), max(self.end_ms[leaf] for leaf in leaves)
 
-    @cached_property
+    @property
     def world(self) -> Scene:
-        """The scene with what the operator declares and the author introduces; without the latter if it does not fit."""
-        try:
-            return self.brief.world.extended(self.mission.entities if self.mission is not None else ())
-        except ValueError:
-            return self.brief.world
-
-    @cached_property
-    def _known_ways(self) -> dict[tuple[str, Position, Position, float | None], float]:
-        return {}
-
-    def least(self, kind: RobotType, origin: Position, destination: Position, speed_mps: float | None = None) -> float:
-        """The least length of a way for a type, or its least time at a speed; worked out once for each two places."""
-        asked = (kind.id, origin, destination, speed_mps)
-        if asked not in self._known_ways:
-            self._known_ways[asked] = least(self.world, kind, origin, destination, speed_mps)
-        return self._known_ways[asked]
+        """The scene, with all entities that the plan knows of."""
+        return self.ways.world
 
     def label(self, node: int) -> str:
         """Label and index of a node."""

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
+from missiontree.mission.scene import Scene
 from missiontree.rechecking import abilities, amounts, claims, selection, staffing, times, travel, worth
 from missiontree.rechecking.facts import Facts, broken
+from missiontree.rechecking.shortest import Ways
 
 CHOSEN = (selection.one_child_per_xor, selection.choices_in_preorder)
 ALTERNATIVE = (
@@ -65,7 +67,7 @@ def recheck(plan: Plan) -> list[Reason]:
 
     It looks at the meaning of a plan: selection, staffing, times, travel, amounts, utilities and ranks. Whether trees, proofs and
     records of a plan are what they should be is left to :func:`missiontree.checking.check`. Ways are tested against the least
-    length that they could have, not against the roads.
+    length that they could have; what keep-outs, zones and blocked cells add to it is left to the first, too.
 
     Returns
     -------
@@ -80,14 +82,23 @@ def recheck(plan: Plan) -> list[Reason]:
     expected = plan.outcome == "delivered" or plan.schedules
     if expected and [one.rank for one in plan.schedules] != [one.rank for one in alternatives]:
         found.append(broken("core_schedules", "the schedules do not stand beside the alternatives, one for each."))
+    ways = Ways(_world(plan))
     for alternative in alternatives:
         schedule = next((one for one in plan.schedules if one.rank == alternative.rank), None)
         if schedule is not None and schedule.status in {"infeasible", "unknown"}:
             if schedule.actions or schedule.legs or schedule.assignments:
                 found.append(broken("core_schedules", f"the schedule of rank {alternative.rank} says there is none."))
             schedule = None
-        found += _one(Facts(plan.brief, plan.tree, plan.grounding.tree, alternative, schedule))
+        found += _one(Facts(plan.brief, plan.tree, plan.grounding.tree, alternative, schedule, ways))
     return found
+
+
+def _world(plan: Plan) -> Scene:
+    """The scene with what the operator declares and the author introduces; without the latter if it does not fit."""
+    try:
+        return plan.brief.world.extended(plan.tree.entities if plan.tree is not None else ())
+    except ValueError:
+        return plan.brief.world
 
 
 def _one(facts: Facts) -> list[Reason]:

@@ -1,0 +1,239 @@
+"""
+Ways to damage a sound plan, each with the rule of either checker that it breaks.
+
+A way yields the plan damaged at one place after another, and nothing where the plan has no such place. Whatever it yields is wrong:
+the amount that a limit is cut to is less than what is used, a leg that is hurried is faster than its robot.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from missiontree.formats.inputs import input_digests
+from missiontree.mission.plan import Plan
+from missiontree.mission.schedule import Schedule
+from tests.checking import damages as known
+from tests.checking.damages import (
+    grounded_tree,
+    scheduled,
+    schedules,
+    travelled,
+    with_brief,
+    with_kind,
+    with_leg,
+    with_schedule,
+)
+
+Damage = Callable[[Plan], Iterator[Plan]]
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """
+    A way to damage a plan.
+
+    Parameters
+    ----------
+    name
+        What is done.
+    damage
+        Does it.
+    rule, core_rule
+        Rules of the first and of the second checker that it breaks.
+    """
+
+    name: str
+    damage: Damage
+    rule: str
+    core_rule: str
+
+
+def precedence_reversed(plan: Plan) -> Iterator[Plan]:
+    """What comes second is put before what comes first, in one schedule."""
+    tree = grounded_tree(plan)
+    for place, schedule in schedules(plan):
+        for link in tree.links:
+            first, second = below(plan, schedule, link.first), below(plan, schedule, link.second)
+            if link.kind != "precedence" or not first or not second:
+                continue
+            end_s = max(done.end_s for done in schedule.actions if done.leaf in first)
+            start_s = min(done.start_s for done in schedule.actions if done.leaf in second)
+            if end_s > 0.01:
+                moved = tuple(
+                    replace(done, start_s=round(done.start_s - start_s, 3), end_s=round(done.end_s - start_s, 3))
+                    if done.leaf in second
+                    else done
+                    for done in schedule.actions
+                )
+                yield with_schedule(plan, place, actions=moved)
+
+
+def below(plan: Plan, schedule: Schedule, node: int) -> set[int]:
+    """Scheduled leaves below a node."""
+    nodes, found = grounded_tree(plan).nodes, set()
+    for done in schedule.actions:
+        above = done.leaf
+        while above not in {node, -1}:
+            above = nodes[above].parent
+        if above == node:
+            found.add(done.leaf)
+    return found
+
+
+def leg_of_no_length(plan: Plan) -> Iterator[Plan]:
+    """A leg between different places is said to have no length; on a grid, between places at least two cells apart."""
+    scene = plan.brief.scene
+    least_m = 2 * math.sqrt(2) * scene.grid.cell_m if scene is not None and scene.grid is not None else 0.01
+    for place, _, number, leg in travelled(plan):
+        straight_m = math.hypot(leg.origin.x_m - leg.destination.x_m, leg.origin.y_m - leg.destination.y_m)
+        if straight_m > least_m and leg.distance_m > 0.01:
+            yield with_leg(plan, place, number, distance_m=0.0)
+
+
+def slower_than_it_drives(plan: Plan) -> Iterator[Plan]:
+    """The type of a robot that travels is only half as fast as the robot drives."""
+    for _, _, _, leg in travelled(plan):
+        kind, lasts_s = plan.brief.fleet.type_of[leg.robot], leg.end_s - leg.start_s
+        if "max_speed_mps" in kind.limits and leg.distance_m > 0.1 and lasts_s > 0.1:
+            speed = leg.distance_m / lasts_s / 2
+            yield with_kind(plan, kind.id, limits={**kind.limits, "max_speed_mps": speed})
+
+
+def kinds_narrowed(plan: Plan) -> Iterator[Plan]:
+    """No routine, or no branch, takes the entities that it is called with, and kinds are enforced."""
+    if plan.brief.check_kinds:
+        yield from known.kinds_narrowed(plan)
+
+
+def quality_raised(plan: Plan) -> Iterator[Plan]:
+    """A scheduled action is better than its type."""
+    for _, _, _, done in scheduled(plan):
+        action = grounded_tree(plan).action(done.leaf)
+        estimate = replace(action.estimate, quality=action.estimate.quality + 0.25)
+        yield known.with_action(plan, done.leaf, estimate=estimate)
+
+
+def used(plan: Plan, schedule: Schedule) -> Mapping[tuple[str, str], float]:
+    """What each robot uses of each budget, travel included."""
+    amounts: dict[tuple[str, str], float] = {}
+    for done in schedule.actions:
+        for name, amount in grounded_tree(plan).action(done.leaf).uses.items():
+            amounts[done.robot, name] = amounts.get((done.robot, name), 0.0) + amount
+    for leg in schedule.legs:
+        for name, per_m in plan.brief.fleet.type_of[leg.robot].uses_per_m.items():
+            amounts[leg.robot, name] = amounts.get((leg.robot, name), 0.0) + per_m * leg.distance_m
+    return {key: amount for key, amount in amounts.items() if amount > 0.1}
+
+
+def budget_cut(plan: Plan) -> Iterator[Plan]:
+    """A robot's type has nine tenths of what the robot uses."""
+    for _, schedule in schedules(plan):
+        for (robot, name), amount in used(plan, schedule).items():
+            kind = plan.brief.fleet.type_of[robot]
+            changes: dict[str, Any] = {"limits": {**kind.limits, name: 0.9 * amount}}
+            if kind.robots:
+                changes["robots"] = tuple(replace(one, remaining={}) for one in kind.robots)
+            yield with_kind(plan, kind.id, **changes)
+
+
+def type_total_cut(plan: Plan) -> Iterator[Plan]:
+    """A type has nine tenths of what its robots use together."""
+    for _, schedule in schedules(plan):
+        totals: dict[tuple[str, str], float] = {}
+        for (robot, name), amount in used(plan, schedule).items():
+            key = plan.brief.fleet.type_of[robot].id, name
+            totals[key] = totals.get(key, 0.0) + amount
+        for (type_id, name), total in totals.items():
+            yield with_kind(plan, type_id, total_limits={name: 0.9 * total})
+
+
+def _totals(plan: Plan, schedule: Schedule) -> Mapping[str, float]:
+    totals: dict[str, float] = {}
+    for (_, name), amount in used(plan, schedule).items():
+        totals[name] = totals.get(name, 0.0) + amount
+    return totals
+
+
+def mission_total_cut(plan: Plan) -> Iterator[Plan]:
+    """The mission may use nine tenths of what its robots use."""
+    for _, schedule in schedules(plan):
+        for name, total in _totals(plan, schedule).items():
+            yield with_brief(plan, fleet=replace(plan.brief.fleet, total_limits={name: 0.9 * total}))
+
+
+def stock_cut(plan: Plan) -> Iterator[Plan]:
+    """There is nine tenths in stock of what the robots take."""
+    for _, schedule in schedules(plan) if plan.brief.scene is not None else ():
+        for name, total in _totals(plan, schedule).items():
+            assert plan.brief.scene is not None
+            yield with_brief(plan, scene=replace(plan.brief.scene, stock={name: 0.9 * total}))
+
+
+def with_its_digests(damaged: Plan) -> Plan:
+    """The plan with digests of the inputs that it carries now, so that nothing but the rule in question tells."""
+    return replace(damaged, digests=input_digests(damaged.brief, damaged.tree))
+
+
+WAYS = (
+    Way("choice left out", known.choice_dropped, "choice_missing", "core_selection"),
+    Way("second child of an XOR", known.choice_doubled, "choice_double", "core_selection"),
+    Way("child of another node", known.choice_astray, "choice_dangling", "core_selection"),
+    Way("choice where nothing is reached", known.choice_elsewhere, "choice_unreached", "core_selection"),
+    Way("role filled by another type", known.role_type_changed, "role_type_differs", "core_types"),
+    Way("role type left out", known.role_type_dropped, "role_type_missing", "core_types"),
+    Way("utility changed", known.utility_changed, "utility_wrong", "core_utility"),
+    Way("quality raised", quality_raised, "quality_differs", "core_quality"),
+    Way("neighbours in rank swapped", known.neighbours_swapped, "ranking_unsorted", "core_ranks"),
+    Way("alternative listed twice", known.alternative_repeated, "alternative_double", "core_ranks"),
+    Way("bound below the utility", known.bound_lowered, "bound_below_utility", "core_claims"),
+    Way("bound above the makespan", known.bound_raised, "bound_above_makespan", "core_claims"),
+    Way("witness of another type", known.witness_of_wrong_type, "witness_broken", "core_staffing"),
+    Way("witness cut", known.witness_cut, "witness_incomplete", "core_staffing"),
+    Way("schedule left out", known.schedule_lost, "schedule_astray", "core_schedules"),
+    Way("action left out", known.action_dropped, "action_missing", "core_actions"),
+    Way("action twice", known.action_doubled, "action_double", "core_actions"),
+    Way("action that is not selected", known.action_added, "action_extra", "core_actions"),
+    Way("role without a robot", known.assignment_dropped, "assignment_missing", "core_staffing"),
+    Way("robot that there is not", known.robot_misnamed, "robot_unknown", "core_staffing"),
+    Way("robot of another type", known.robot_of_other_type, "robot_type_wrong", "core_staffing"),
+    Way("action by another robot", known.action_handed_over, "action_robot_differs", "core_staffing"),
+    Way("one robot in two joint roles", known.team_in_one, "team_shares_robot", "core_different_robots"),
+    Way("same-robot link split", known.same_robot_split, "same_robot_broken", "core_same_robot"),
+    Way("different-robot link joined", known.different_robot_joined, "different_robot_broken", "core_different_robots"),
+    Way("robot left out takes part", known.robot_withdrawn, "robot_left_out", "core_without"),
+    Way("required robot or type idle", known.idler_required, "required_idle", "core_require"),
+    Way("too many of a type in use", known.fewer_in_use, "max_in_use_exceeded", "core_max_in_use"),
+    Way("less quality than asked", known.more_quality_asked, "quality_below_minimum", "core_min_quality"),
+    Way("kinds of arguments narrowed", kinds_narrowed, "kind_refused", "core_ability"),
+    Way("needs of roles raised", known.needs_raised, "need_unmet", "core_ability"),
+    Way("type excluded by its routine", known.resource_withdrawn, "resource_excluded", "core_ability"),
+    Way("zone closed", known.zone_closed, "zone_forbidden", "core_zone"),
+    Way("time between ticks", known.time_between_ticks, "time_off_grid", "core_grid"),
+    Way("action shortened", known.action_shortened, "duration_wrong", "core_duration"),
+    Way("action stretched", known.action_stretched, "duration_wrong", "core_duration"),
+    Way("joint work torn apart", known.joint_shifted, "joint_broken", "core_joint"),
+    Way("action before its turn", known.action_before_its_turn, "role_out_of_order", "core_order"),
+    Way("precedence reversed", precedence_reversed, "precedence_broken", "core_precedence"),
+    Way("until missed", known.open_end_missed, "until_broken", "core_until"),
+    Way("follower too late", known.follower_too_late, "until_broken", "core_until"),
+    Way("robot in two places", known.two_roles_at_once, "robot_overlap", "core_holding"),
+    Way("role within a role", known.role_within_a_role, "holding_broken", "core_holding"),
+    Way("leg left out", known.leg_dropped, "leg_missing", "core_travel"),
+    Way("leg of another action", known.leg_added, "leg_extra", "core_travel"),
+    Way("leg from elsewhere", known.leg_from_elsewhere, "leg_origin_wrong", "core_travel"),
+    Way("leg to elsewhere", known.leg_to_elsewhere, "leg_destination_wrong", "core_travel"),
+    Way("leg to another floor", known.leg_into_nowhere, "leg_without_way", "core_travel"),
+    Way("leg of no length", leg_of_no_length, "leg_understated", "core_travel"),
+    Way("leg at twice the speed", known.leg_hurried, "leg_too_fast", "core_travel"),
+    Way("robots half as fast", slower_than_it_drives, "leg_too_fast", "core_travel"),
+    Way("leg too late", known.leg_late, "leg_at_wrong_time", "core_travel"),
+    Way("blind move hurried", known.blind_move_hurried, "move_too_short", "core_travel"),
+    Way("budget stretched", budget_cut, "budget_exceeded", "core_budget"),
+    Way("budget of a type stretched", type_total_cut, "total_budget_exceeded", "core_type_total"),
+    Way("budget of the mission stretched", mission_total_cut, "mission_budget_exceeded", "core_mission_total"),
+    Way("stock exceeded", stock_cut, "stock_exceeded", "core_stock"),
+    Way("makespan changed", known.makespan_changed, "makespan_wrong", "core_makespan"),
+)
