@@ -11,13 +11,14 @@ every way, at a place that is drawn. Digests are made anew, so that it is the ru
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cache
 from itertools import islice
 from random import Random
 
 from benchmarks.campaign import Campaign, Verdict, luck, run
 from benchmarks.plan_damages import WAYS, Way, with_its_digests
-from missiontree.checking.case import Case
+from missiontree.checking.case import Case, Rule
 from missiontree.checking.checker import RULES
 from missiontree.mission.plan import Plan
 from missiontree.rechecking import recheck
@@ -31,10 +32,10 @@ PASSED_FIRST = "passed by the first checker"
 PASSED_SECOND = "passed by the second checker"
 
 
-def first_rules(plan: Plan) -> set[str]:
+def breaks(plan: Plan, rules: Iterable[Rule] = RULES) -> set[str]:
     """Rules that the first checker finds broken, without the second's opinion."""
     case = Case(plan)
-    return {rule.__name__ for rule in RULES if next(iter(rule(case)), None) is not None}
+    return {rule.__name__ for rule in rules if next(iter(rule(case)), None) is not None}
 
 
 @cache
@@ -65,14 +66,16 @@ def drawn(way: Way, rng: Random) -> Plan:
         number = rng.randrange(BASES)
         plan, found = base(number), places(way, number)
         if plan is not None and found:
-            return with_its_digests(next(islice(way.damage(plan), rng.randrange(found), None)))
+            return next(islice(way.damage(plan), rng.randrange(found), None))
 
 
 def judge(seed: int, index: int) -> Verdict:
     """One damaged plan before both checkers."""
     way = WAYS[index % len(WAYS)]
     damaged = drawn(way, luck(seed, index))
-    first, second = first_rules(damaged), {one.rule for one in recheck(damaged)}
+    # Its own rule is asked first: where that tells, the others need not be asked.
+    first = breaks(damaged, [rule for rule in RULES if rule.__name__ == way.rule]) or breaks(with_its_digests(damaged))
+    second = {one.rule for one in recheck(damaged)}
     violations = []
     if not first:
         violations.append((PASSED_FIRST, way.name))

@@ -1,0 +1,85 @@
+"""The second checker: no sound plan is refused, every damage is, and it needs no help from the first."""
+
+from __future__ import annotations
+
+import random
+from itertools import islice
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from benchmarks.campaign import made
+from benchmarks.damaged_plans import CAMPAIGN, breaks
+from benchmarks.plan_damages import WAYS, Way, with_its_digests
+from missiontree.checking import check, checker
+from missiontree.mission.plan import Plan
+from missiontree.rechecking import CORE_RULES, recheck
+from tests.checking.damages import DAMAGES
+from tests.checking.plans import PLANS
+
+MOST_PLACES = 4
+SAMPLE = 20
+
+
+def spread(way: Way, plan: Plan) -> list[Plan]:
+    """The plan damaged at up to four places, spread over the first sixty that there are."""
+    found = list(islice(way.damage(plan), 60))
+    return found[:: -(-len(found) // MOST_PLACES)] if found else []
+
+
+@pytest.mark.parametrize("name", PLANS)
+def test_sound_plans_are_passed_by_the_second_checker(name: str) -> None:
+    assert recheck(PLANS[name]()) == []
+
+
+@pytest.mark.parametrize("way", WAYS, ids=[way.name for way in WAYS])
+def test_each_damage_is_refused_by_both_checkers(way: Way) -> None:
+    """Wherever it is done; the rule that is broken is named by each at one place at least, where no other hides it."""
+    first, second, places = set(), set(), 0
+    for plan in PLANS.values():
+        for damaged in map(with_its_digests, spread(way, plan())):
+            places += 1
+            told, told_again = breaks(damaged), {one.rule for one in recheck(damaged)}
+            assert told
+            assert told_again
+            first |= told
+            second |= told_again
+    assert places > 0, "no plan has a place for this damage"
+    assert way.rule in first
+    assert way.core_rule in second
+
+
+def test_every_core_rule_is_broken_by_some_damage_and_no_other_is_told() -> None:
+    assert {way.core_rule for way in WAYS} == set(CORE_RULES)
+
+
+def test_the_campaign_of_damage_finds_nothing_that_passes() -> None:
+    """The first ways once, on plans of random missions; the full campaign has a thousand of each."""
+    seen = made(CAMPAIGN, 7, 0, SAMPLE)
+    assert seen.violations == {}
+    assert set(seen.rows) == {way.name for way in WAYS[:SAMPLE]}
+
+
+def test_the_last_word_is_the_second_checkers_where_the_first_is_silent(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With all rules of the first taken away, a plan whose makespan is half a second short is refused all the same."""
+    plan = PLANS["reunite"]()
+    monkeypatch.setattr(checker, "RULES", ())
+    assert check(plan) == ()
+    damaged = next(way for way in WAYS if way.name == "makespan changed").damage(plan)
+    assert "core_makespan" in {one.rule for one in check(next(damaged))}
+
+
+@given(st.sampled_from(sorted(PLANS)), st.integers(0, 2**32), st.integers(1, 4))
+def test_several_damages_at_once_are_findings_never_exceptions(name: str, seed: int, count: int) -> None:
+    """Damage of any kind, also such as only the first checker minds: the second answers, and raises nothing."""
+    rng = random.Random(seed)  # noqa: S311 - variation, not secrecy
+    plan = PLANS[name]()
+    for _ in range(count):
+        _, damage = rng.choice(DAMAGES)
+        try:
+            damaged = list(islice(damage(plan), 30))
+        except (ValueError, KeyError, IndexError, AssertionError):
+            continue  # the plan is too broken by now for this damage to be done to it
+        plan = rng.choice(damaged) if damaged else plan
+    assert {one.rule for one in recheck(plan)} <= set(CORE_RULES)
