@@ -25,7 +25,7 @@ class Way:
 
 def able(facts: Facts) -> Iterator[Reason]:
     """Some role of the leaf's routine has this action, and takes this type and these entities."""
-    for leaf, action in facts.leaves.items():
+    for leaf, action in facts.offered.items():
         source = facts.tree.nodes[leaf].source
         node = facts.mission.by_id.get(source) if facts.mission is not None and source is not None else None
         kind = facts.brief.fleet.by_id.get(action.robot_type)
@@ -93,7 +93,7 @@ def _meets(facts: Facts, need: Need, way: Way, kind: RobotType) -> bool:
 
 def in_allowed_zones(facts: Facts) -> Iterator[Reason]:
     """No action is done at an entity or place in a zone that the type may not enter."""
-    for leaf, action in facts.leaves.items():
+    for leaf, action in facts.offered.items():
         kind = facts.brief.fleet.by_id.get(action.robot_type)
         entity = facts.world.by_id.get(action.at or "")
         if kind is None or kind.zones is None or entity is None:

@@ -78,6 +78,11 @@ class Facts:
         return kept
 
     @cached_property
+    def offered(self) -> dict[int, Action]:
+        """All actions of the tree by leaf, selected or not: what is offered to a type at all."""
+        return {leaf: node.action for leaf, node in enumerate(self.tree.nodes) if node.action is not None}
+
+    @cached_property
     def leaves_of_role(self) -> dict[int, list[int]]:
         """Selected leaves of each reached role, in the order in which they are done."""
         kept: dict[int, list[int]] = {}

@@ -9,11 +9,10 @@ from missiontree.rechecking import abilities, amounts, claims, selection, staffi
 from missiontree.rechecking.facts import Facts, broken
 from missiontree.rechecking.shortest import Ways
 
+OFFERED = (worth.quality_is_the_types, worth.good_enough, abilities.able, abilities.in_allowed_zones)
 CHOSEN = (selection.one_child_per_xor, selection.choices_in_preorder)
 ALTERNATIVE = (
     worth.utility_is_the_sum,
-    worth.quality_is_the_types,
-    worth.good_enough,
     staffing.types_of_roles,
     staffing.required_types,
     staffing.enough_for_teams,
@@ -21,8 +20,6 @@ ALTERNATIVE = (
     amounts.witnessed_amounts,
     amounts.least_amounts,
     claims.bound_of_the_alternative,
-    abilities.able,
-    abilities.in_allowed_zones,
 )
 STAFFED = (staffing.robots_of_roles, staffing.scheduled_team, times.every_action_once)
 TIMED = (*times.TIME_RULES, *travel.TRAVEL_RULES, amounts.scheduled_amounts, claims.bound_of_the_schedule)
@@ -89,7 +86,10 @@ def recheck(plan: Plan) -> list[Reason]:
             if schedule.actions or schedule.legs or schedule.assignments:
                 found.append(broken("core_schedules", f"the schedule of rank {alternative.rank} says there is none."))
             schedule = None
-        found += _one(Facts(plan.brief, plan.tree, plan.grounding.tree, alternative, schedule, ways))
+        facts = Facts(plan.brief, plan.tree, plan.grounding.tree, alternative, schedule, ways)
+        if alternative is alternatives[0]:  # what is offered is the same for all of them
+            found += [one for rule in OFFERED for one in rule(facts)]
+        found += _one(facts)
     return found
 
 

@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import math
 from functools import cached_property
+from itertools import pairwise
 
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
+from missiontree.mission.schedule import TravelLeg
 
 EQUALLY_M = 1e-3
 Step = tuple[str, float, float]
@@ -49,6 +51,23 @@ class Ways:
         if self.world.grid is not None:  # ways lead from the middle of a cell to the middle of a cell
             straight = max(0.0, straight - math.sqrt(2) * self.world.grid.cell_m)
         return straight * pace
+
+    def named(self, kind: RobotType, leg: TravelLeg, speed_mps: float | None = None) -> float:
+        """The same of the way that a leg names by its road nodes; infinite if it names none, or passes where no road or lift leads."""
+        if self.world.roads is None or leg.origin == leg.destination:
+            return self.least(kind, leg.origin, leg.destination, speed_mps)
+        if not leg.via or any(name not in self._junctions for name in leg.via):
+            return math.inf
+        pace = 1.0 if speed_mps is None else 1 / speed_mps
+        first, last = self._junctions[leg.via[0]], self._junctions[leg.via[-1]]
+        if first.floor != leg.origin.floor or last.floor != leg.destination.floor:
+            return math.inf
+        total = (_apart(leg.origin, first) + _apart(last, leg.destination)) * pace
+        for start, end in pairwise(leg.via):
+            steps = [step for step in self._steps_of(kind).get(start, ()) if step[0] == end]
+            costs = [metres * pace + (seconds if speed_mps is not None else 0.0) for _, metres, seconds in steps]
+            total += min(costs, default=math.inf)
+        return total
 
     def _far_from(self, kind: RobotType, origin: Position, speed_mps: float | None) -> dict[str, float]:
         """How far every junction is: straight to where the roads are joined, then step by step, as long as anything comes nearer."""

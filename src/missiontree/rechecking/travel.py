@@ -73,12 +73,14 @@ def no_faster_than_it_is(facts: Facts) -> Iterator[Reason]:
         kind = facts.brief.fleet.type_of.get(leg.robot)
         if leg.leaf not in facts.leaves or kind is None:
             continue
-        metres, speed = facts.ways.least(kind, leg.origin, leg.destination), _speed(facts, leg.leaf)
+        speed = _speed(facts, leg.leaf)
+        metres = max(facts.ways.least(kind, leg.origin, leg.destination), facts.ways.named(kind, leg))
         if leg.distance_m < metres - NEAR_M:
             message = f"the way to {facts.label(leg.leaf)} is {metres:g} m long at least, and is said to be {leg.distance_m:g} m."
             yield broken(RULE, message, node=leg.leaf, robot=leg.robot)
         elif speed is not None:
-            seconds = max(leg.distance_m / speed, facts.ways.least(kind, leg.origin, leg.destination, speed))
+            ways = facts.ways.least(kind, leg.origin, leg.destination, speed), facts.ways.named(kind, leg, speed)
+            seconds = max(leg.distance_m / speed, *ways)
             lasts, needed = milliseconds(leg.end_s) - milliseconds(leg.start_s), math.ceil(round(seconds * 1000, 6))
             if lasts + TICK_MS < needed:
                 message = f"{leg.robot} travels {leg.distance_m:g} m in {lasts / 1000} s; it takes {needed / 1000} s at least."

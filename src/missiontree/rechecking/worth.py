@@ -28,7 +28,7 @@ def utility_is_the_sum(facts: Facts) -> Iterator[Reason]:
 
 def quality_is_the_types(facts: Facts) -> Iterator[Reason]:
     """Every action has the quality that its type has in the capability that rates it."""
-    for leaf, action in facts.leaves.items():
+    for leaf, action in facts.offered.items():
         kind = facts.brief.fleet.by_id.get(action.robot_type)
         ability = kind.capability(action.capability) if kind is not None else None
         if ability is None:
@@ -44,7 +44,7 @@ def quality_is_the_types(facts: Facts) -> Iterator[Reason]:
 
 def good_enough(facts: Facts) -> Iterator[Reason]:
     """Every action is as good as the mission asks."""
-    for leaf, action in facts.leaves.items():
+    for leaf, action in facts.offered.items():
         least = _least(facts, leaf, action)
         if action.estimate.quality < least:
             message = f"{facts.label(leaf)} has quality {action.estimate.quality}, and the mission asks for {least}."
