@@ -15,6 +15,7 @@ from typing import Any
 from missiontree.formats.inputs import input_digests
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.tree import MissionNode
 from tests.checking import damages as known
 from tests.checking.damages import (
     grounded_tree,
@@ -106,6 +107,28 @@ def kinds_narrowed(plan: Plan) -> Iterator[Plan]:
     """No routine, or no branch, takes the entities that it is called with, and kinds are enforced."""
     if plan.brief.check_kinds:
         yield from known.kinds_narrowed(plan)
+
+
+def more_quality_asked(plan: Plan) -> Iterator[Plan]:
+    """More is asked of all actions, of those that a capability rates, or of those of a routine, than anybody can do."""
+    yield with_brief(plan, min_quality=99.0)
+    tree = grounded_tree(plan)
+    for name in dict.fromkeys(tree.action(leaf).capability for leaf, _ in known.leaves(plan)):
+        yield with_brief(plan, min_quality={name: 99.0})
+    for name in dict.fromkeys(node.routine for _, node in staffed(plan) if node.routine is not None):
+        yield with_brief(plan, min_quality={name: 99.0})
+
+
+def type_excluded(plan: Plan) -> Iterator[Plan]:
+    """A routine that somebody is to do is for nobody."""
+    for place, node in staffed(plan):
+        yield known.with_nodes(plan, place, replace(node, resources=()))
+
+
+def staffed(plan: Plan) -> Iterator[tuple[int, MissionNode]]:
+    """Calls of routines that there are actions for; a call that nobody can do has none."""
+    done = {node.source for _, node in known.leaves(plan)}
+    yield from ((place, node) for place, node in known.calls(plan) if node.id in done)
 
 
 def quality_raised(plan: Plan) -> Iterator[Plan]:
@@ -206,10 +229,10 @@ WAYS = (
     Way("robot left out takes part", known.robot_withdrawn, "robot_left_out", "core_without"),
     Way("required robot or type idle", known.idler_required, "required_idle", "core_require"),
     Way("too many of a type in use", known.fewer_in_use, "max_in_use_exceeded", "core_max_in_use"),
-    Way("less quality than asked", known.more_quality_asked, "quality_below_minimum", "core_min_quality"),
+    Way("less quality than asked", more_quality_asked, "quality_below_minimum", "core_min_quality"),
     Way("kinds of arguments narrowed", kinds_narrowed, "kind_refused", "core_ability"),
     Way("needs of roles raised", known.needs_raised, "need_unmet", "core_ability"),
-    Way("type excluded by its routine", known.resource_withdrawn, "resource_excluded", "core_ability"),
+    Way("type excluded by its routine", type_excluded, "resource_excluded", "core_ability"),
     Way("zone closed", known.zone_closed, "zone_forbidden", "core_zone"),
     Way("time between ticks", known.time_between_ticks, "time_off_grid", "core_grid"),
     Way("action shortened", known.action_shortened, "duration_wrong", "core_duration"),
