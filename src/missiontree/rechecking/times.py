@@ -97,20 +97,18 @@ def precedence(facts: Facts) -> Iterator[Reason]:
 
 def until(facts: Facts) -> Iterator[Reason]:
     """The open-ended actions of the first node of an until last until the second ends: all of those that they last until."""
-    ends: dict[int, list[int]] = {}
+    ends: dict[int, int] = {}
     for link in facts.links("until"):
         end = max(facts.end_ms[leaf] for leaf in facts.below(link.second))
         for leaf in facts.below(link.first):
             if facts.leaves[leaf].open_ended:
-                ends.setdefault(leaf, []).append(end)
-    for leaf, several in ends.items():
-        if abs(facts.end_ms[leaf] - max(several)) > TICK_MS:
+                ends[leaf] = max(end, ends.get(leaf, 0))
+    for leaf, end in ends.items():
+        if abs(facts.end_ms[leaf] - end) > TICK_MS or facts.start_ms[leaf] >= end:
             message = (
-                f"{facts.label(leaf)} ends at {facts.end_ms[leaf] / 1000} s, and lasts until {max(several) / 1000} s."
+                f"{facts.label(leaf)} lasts from {facts.start_ms[leaf] / 1000} s to {facts.end_ms[leaf] / 1000} s, "
+                f"and is to be under way until {end / 1000} s."
             )
-            yield broken("core_until", message, node=leaf)
-        if facts.start_ms[leaf] >= min(several):
-            message = f"{facts.label(leaf)} lasts until {min(several) / 1000} s, and is not under way by then."
             yield broken("core_until", message, node=leaf)
 
 
