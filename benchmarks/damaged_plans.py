@@ -5,18 +5,18 @@ Does a damaged plan pass? Sound plans with some sixty kinds of damage, through b
 
     python -m benchmarks.damaged_plans --count 58000 --seed 1 --state damaged.json
 
-Sound plans are made of random missions over every kind of map, half of them under rules for the whole mission, and damaged in turn in
-every way, at a place that is drawn. Digests are made anew, so that it is the rule that must tell, not the fingerprint.
+Sound plans are made of random missions over every kind of map, half of them under rules for the whole mission. In each way they are
+damaged one after the other, at up to eight places of each plan, no two alike. A plan whose inputs were changed is given their digests, so
+that it is the rule that must tell, not the fingerprint.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from functools import cache
-from itertools import islice
-from random import Random
+from collections.abc import Iterable, Iterator
+from functools import cache, lru_cache
+from itertools import count, islice
 
-from benchmarks.campaign import Campaign, Verdict, luck, run
+from benchmarks.campaign import Campaign, Verdict, run
 from benchmarks.plan_damages import WAYS, Way, with_its_digests
 from missiontree.checking.case import Case, Rule
 from missiontree.checking.checker import RULES
@@ -26,8 +26,9 @@ from tests.checking.missions import random_mission, ruled_mission
 from tests.checking.plans import PLANS, made
 
 EACH = 1000
-BASES = 400
-PLACES = 60
+EIGHT = 8
+MOST = 100
+MANY = 10_000_000
 PASSED_FIRST = "passed by the first checker"
 PASSED_SECOND = "passed by the second checker"
 
@@ -38,41 +39,54 @@ def breaks(plan: Plan, rules: Iterable[Rule] = RULES) -> set[str]:
     return {rule.__name__ for rule in rules if next(iter(rule(case)), None) is not None}
 
 
-@cache
-def base(number: int) -> Plan | None:
+@lru_cache(maxsize=2000)
+def base(seed: int, number: int) -> Plan | None:
     """A sound plan of that number, all of whose alternatives are scheduled; None if the mission of that number gives none."""
     if number < len(PLANS):
         return list(PLANS.values())[number]()
-    plan = made(*(ruled_mission if number % 2 else random_mission)(number))
+    plan = made(*(ruled_mission if number % 2 else random_mission)(seed * MANY + number))
     works = plan.schedules and all(one.status in {"optimal", "feasible"} for one in plan.schedules)
     return plan if plan.outcome == "delivered" and works else None
 
 
-@cache
-def places(way: Way, number: int) -> int:
-    """At how many places the plan of that number can be damaged in a way, as far as it is counted."""
-    plan, found = base(number), 0
+def places(way: Way, plan: Plan) -> list[int]:
+    """Where the plan can be damaged in a way: up to eight places, spread over the first hundred, at which the damage differs."""
+    damaged: list[Plan] = []
     try:
-        for _ in islice(way.damage(plan), PLACES) if plan is not None else ():
-            found += 1
+        for one in islice(way.damage(plan), MOST):
+            damaged.append(one)
     except ValueError:
         pass  # the damage at the next place would make something that is no plan, such as an action that ends before it starts
-    return found
+    kept: list[int] = []
+    for place in range(0, len(damaged), -(-len(damaged) // EIGHT) or 1):
+        if all(damaged[place] != damaged[other] for other in kept):
+            kept.append(place)
+    return kept
 
 
-def drawn(way: Way, rng: Random) -> Plan:
-    """A plan damaged in a way, drawn."""
-    while True:
-        number = rng.randrange(BASES)
-        plan, found = base(number), places(way, number)
-        if plan is not None and found:
-            return next(islice(way.damage(plan), rng.randrange(found), None))
+@cache
+def found(way: Way, seed: int) -> tuple[list[tuple[int, int]], Iterator[int]]:
+    """Places of a way found so far, each a plan's number and a place in it, and the numbers of the plans not yet looked at."""
+    return [], count()
+
+
+def damaged_plan(way: Way, seed: int, number: int) -> Plan:
+    """The plan of that number among those that are damaged in a way."""
+    known, ahead = found(way, seed)
+    while len(known) <= number:
+        one = next(ahead)
+        plan = base(seed, one)
+        known.extend((one, place) for place in (places(way, plan) if plan is not None else ()))
+    one, place = known[number]
+    plan = base(seed, one)
+    assert plan is not None
+    return next(islice(way.damage(plan), place, None))
 
 
 def judge(seed: int, index: int) -> Verdict:
     """One damaged plan before both checkers."""
     way = WAYS[index % len(WAYS)]
-    damaged = drawn(way, luck(seed, index))
+    damaged = damaged_plan(way, seed, index // len(WAYS))
     # Its own rule is asked first: where that tells, the others need not be asked.
     first = breaks(damaged, [rule for rule in RULES if rule.__name__ == way.rule]) or breaks(with_its_digests(damaged))
     second = {one.rule for one in recheck(damaged)}
