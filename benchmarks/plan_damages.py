@@ -195,6 +195,34 @@ def stock_cut(plan: Plan) -> Iterator[Plan]:
             yield with_brief(plan, scene=replace(plan.brief.scene, stock={name: 0.9 * total}))
 
 
+def released_later(plan: Plan) -> Iterator[Plan]:
+    """A scheduled action may start half a second after it does."""
+    nodes = grounded_tree(plan).nodes
+    for _, _, _, done in scheduled(plan):
+        later = replace(nodes[done.leaf], release_s=done.start_s + 0.5, deadline_s=None)
+        yield known.with_grounded(plan, nodes=(*nodes[: done.leaf], later, *nodes[done.leaf + 1 :]))
+
+
+def comes_later(plan: Plan) -> Iterator[Plan]:
+    """A robot comes half a second after it starts an action."""
+    for _, _, _, done in scheduled(plan):
+        yield _there(plan, done.robot, available_from_s=done.start_s + 0.5, available_until_s=None)
+
+
+def leaves_earlier(plan: Plan) -> Iterator[Plan]:
+    """A robot leaves half a second before it ends an action."""
+    for _, _, _, done in scheduled(plan):
+        if done.end_s > 1:
+            yield _there(plan, done.robot, available_from_s=None, available_until_s=done.end_s - 0.5)
+
+
+def _there(plan: Plan, robot: str, **times: float | None) -> Plan:
+    """The plan with other times of a robot's type, which hold for all of its robots."""
+    kind = plan.brief.fleet.type_of[robot]
+    robots = tuple(replace(one, available_from_s=None, available_until_s=None) for one in kind.robots)
+    return with_kind(plan, kind.id, robots=robots, **times)
+
+
 def with_its_digests(damaged: Plan) -> Plan:
     """The plan with digests of the inputs that it carries now, so that nothing but the rule in question tells."""
     return replace(damaged, digests=input_digests(damaged.brief, damaged.tree))
@@ -258,5 +286,10 @@ WAYS = (
     Way("budget of a type stretched", type_total_cut, "total_budget_exceeded", "core_type_total"),
     Way("budget of the mission stretched", mission_total_cut, "mission_budget_exceeded", "core_mission_total"),
     Way("stock exceeded", stock_cut, "stock_exceeded", "core_stock"),
+    Way("action before its release", released_later, "release_broken", "core_release"),
+    Way("action after it is due", known.nodes_due_earlier, "deadline_missed", "core_deadline"),
+    Way("mission after it is due", known.due_earlier, "deadline_missed", "core_deadline"),
+    Way("robot before it comes", comes_later, "robot_away", "core_available"),
+    Way("robot after it has left", leaves_earlier, "robot_away", "core_available"),
     Way("makespan changed", known.makespan_changed, "makespan_wrong", "core_makespan"),
 )

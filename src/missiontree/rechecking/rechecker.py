@@ -5,7 +5,7 @@ from __future__ import annotations
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
-from missiontree.rechecking import abilities, amounts, claims, selection, staffing, times, travel, worth
+from missiontree.rechecking import abilities, amounts, claims, selection, staffing, times, travel, windows, worth
 from missiontree.rechecking.facts import Facts, broken
 from missiontree.rechecking.shortest import Ways
 
@@ -22,13 +22,21 @@ ALTERNATIVE = (
     claims.bound_of_the_alternative,
 )
 STAFFED = (staffing.robots_of_roles, staffing.scheduled_team, times.every_action_once)
-TIMED = (*times.TIME_RULES, *travel.TRAVEL_RULES, amounts.scheduled_amounts, claims.bound_of_the_schedule)
+TIMED = (
+    *times.TIME_RULES,
+    *windows.WINDOW_RULES,
+    *travel.TRAVEL_RULES,
+    amounts.scheduled_amounts,
+    claims.bound_of_the_schedule,
+)
 
 CORE_RULES = {
     "core_ability": "a type does what it is able to, by capability, limits, kinds of arguments and resources",
     "core_actions": "every selected action is scheduled once, and nothing else is",
+    "core_available": "a robot is busy only while it takes part",
     "core_budget": "no robot uses more of a budget than it has",
     "core_claims": "no bound contradicts what is shown, and what is called optimal is proven",
+    "core_deadline": "nothing ends after it is due",
     "core_different_robots": "joint roles, and nodes linked so, have different robots",
     "core_duration": "an action lasts as long as it takes",
     "core_grid": "times are whole milliseconds",
@@ -42,6 +50,7 @@ CORE_RULES = {
     "core_precedence": "what comes first ends before what comes after starts",
     "core_quality": "an action has the quality of its type",
     "core_ranks": "the better alternative stands first",
+    "core_release": "nothing starts before its release",
     "core_require": "who must take part does",
     "core_same_robot": "nodes for one robot are done by one robot",
     "core_schedules": "there is a schedule for each alternative, whole or empty as it says",

@@ -136,5 +136,4 @@ def makespan(facts: Facts) -> Iterator[Reason]:
         yield broken("core_makespan", message)
 
 
-# One rule of time, one function. A release, a deadline or a time of availability is one more.
 TIME_RULES = (on_the_grid, durations, actions_in_order, one_role_at_a_time, precedence, until, joint_work, makespan)

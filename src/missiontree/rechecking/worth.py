@@ -27,14 +27,14 @@ def utility_is_the_sum(facts: Facts) -> Iterator[Reason]:
 
 
 def quality_is_the_types(facts: Facts) -> Iterator[Reason]:
-    """Every action has the quality that its type has in the capability that rates it."""
+    """Every action has the quality that its type has in the capability that rates it, or what a user's own estimator says of it."""
     for leaf, action in facts.offered.items():
         kind = facts.brief.fleet.by_id.get(action.robot_type)
         ability = kind.capability(action.capability) if kind is not None else None
         if ability is None:
             message = f"{facts.label(leaf)} is rated by {action.capability}, which {action.robot_type} does not have."
             yield broken("core_quality", message, node=leaf, robot=action.robot_type)
-        elif ability.quality != action.estimate.quality:
+        elif facts.brief.estimator is None and ability.quality != action.estimate.quality:
             message = (
                 f"{facts.label(leaf)} has quality {action.estimate.quality}; {action.robot_type} does "
                 f"{action.capability} with {ability.quality}."
