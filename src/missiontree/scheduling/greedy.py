@@ -10,7 +10,6 @@ kept. If its makespan equals a lower bound it is optimal.
 from __future__ import annotations
 
 from missiontree.mission.alternative import Alternative
-from missiontree.mission.certificate import Certificate
 from missiontree.mission.control import Control, Progress
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
@@ -36,7 +35,7 @@ from missiontree.scheduling.rules import rules
 from missiontree.scheduling.serial import Run
 from missiontree.scheduling.staffing import staffing_conflicts, staffing_of
 from missiontree.scheduling.trips import Trips
-from missiontree.scheduling.writing import found_schedule, unknown_schedule
+from missiontree.scheduling.writing import found_schedule, impossible_schedule, unknown_schedule
 
 LEAVES_PER_CALL = 20_000  # work that retries may cost, in scheduled leaves
 MIN_RUNS, MAX_RUNS = 3, 40
@@ -53,22 +52,16 @@ def greedy(
     terms: Terms = NO_TERMS,
 ) -> Schedule:
     """Schedule an alternative, see :class:`missiontree.scheduling.scheduler.Scheduler`."""
-    problem = _read(tree, alternative, terms.team_of(fleet), scene, terms)
+    problem = read_problem(tree, alternative, terms.team_of(fleet), scene, terms)
     if not isinstance(problem, Problem):
-        method, reasons = problem
-        return Schedule(
-            rank=alternative.rank,
-            status="infeasible",
-            certificate=Certificate(claim="proven", method=method, detail=reasons[0].message),
-            reasons=tuple(reasons),
-        )
-    best, failures = _best(problem, alternative, control)
+        return impossible_schedule(alternative, *problem)
+    best, failures = best_of_runs(problem, alternative, control)
     if best is None:
         return unknown_schedule(problem, alternative, failures)
     return found_schedule(problem, alternative, best)
 
 
-def _read(
+def read_problem(
     tree: GroundedTree, alternative: Alternative, fleet: Fleet, scene: Scene, terms: Terms
 ) -> Problem | tuple[str, list[Reason]]:
     """The problem, or the method and the reasons of the proof that it cannot be solved."""
@@ -99,22 +92,38 @@ def _read(
     bundles, crews, required = bundles_of(graph), crews_of(graph), terms.required_robots(fleet)
     holds, leaving = least_holds(graph, bounds), some_leave(fleet)
     return Problem(
-        graph, staffing, bounds, fleet, trips, bundles, crews, needs, alike, shared, required, holds, leaving
+        graph, staffing, bounds, fleet, trips, places, bundles, crews, needs, alike, shared, required, holds, leaving
     )
 
 
-def _best(problem: Problem, alternative: Alternative, control: Control) -> tuple[Draft | None, list[Reason]]:
-    """The best draft of all runs, and why runs got stuck."""
+def best_of_runs(
+    problem: Problem, alternative: Alternative, control: Control, more: Control | None = None, most: int = MAX_RUNS
+) -> tuple[Draft | None, list[Reason]]:
+    """
+    The best draft of all runs, and why runs got stuck.
+
+    Parameters
+    ----------
+    problem, alternative
+        What is scheduled.
+    control
+        Limits of the first run, and of all until some draft is found.
+    more
+        Limits of further runs. Default: the same.
+    most
+        How many runs improve on a draft at most.
+    """
     best: Draft | None = None
     failures: dict[Reason, None] = {}
     late: Late | None = None
-    runs = max(MIN_RUNS, min(MAX_RUNS, LEAVES_PER_CALL // max(1, len(problem.graph.activity_of))))
+    runs = max(MIN_RUNS, min(most, LEAVES_PER_CALL // max(1, len(problem.graph.activity_of))))
     looked = 0
     for number, rule in enumerate(rules(problem, alternative, runs, control.seed)):
         if best is not None and (_unbeatable(best, problem) or _enough(number, runs, looked)):
             break
         run = Run(problem, rule)
-        draft = None if number and control.ended() else run(control.ended)
+        limits = control if best is None or more is None else more
+        draft = None if number and limits.ended() else run(limits.ended)
         if draft is None:
             return best, [_TIME_IS_UP, *(late.reasons if late else ()), *failures]
         looked += run.looked

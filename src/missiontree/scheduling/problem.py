@@ -10,6 +10,7 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.bounds import Bounds
 from missiontree.scheduling.bundles import Bundles
+from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
 from missiontree.scheduling.trips import Trip, Trips
@@ -24,8 +25,8 @@ class Problem:
 
     Parameters
     ----------
-    graph, staffing, bounds, fleet, trips
-        What must be done, by whom, how long at least, and the ways.
+    graph, staffing, bounds, fleet, trips, places
+        What must be done, by whom, how long at least, the ways, and where actions can possibly happen.
     bundles, crews
         Roles that must be under way together, and roles that work jointly.
     needs
@@ -47,6 +48,7 @@ class Problem:
     bounds: Bounds
     fleet: Fleet
     trips: Trips
+    places: Places
     bundles: Bundles
     crews: Mapping[int, int]
     needs: Mapping[int, Mapping[str, float]]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from missiontree.mission.alternative import Alternative, Assignment
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.grounded import Action
@@ -11,12 +13,25 @@ from missiontree.mission.ticks import seconds
 from missiontree.scheduling.problem import Done, Draft, Problem
 
 
-def unknown_schedule(problem: Problem, alternative: Alternative, failures: list[Reason]) -> Schedule:
+def impossible_schedule(alternative: Alternative, method: str, reasons: Sequence[Reason]) -> Schedule:
+    """The schedule of an alternative that is proven to have none."""
+    return Schedule(
+        rank=alternative.rank,
+        status="infeasible",
+        certificate=Certificate(claim="proven", method=method, detail=reasons[0].message),
+        reasons=tuple(reasons),
+    )
+
+
+def unknown_schedule(
+    problem: Problem, alternative: Alternative, failures: list[Reason], certificate: Certificate | None = None
+) -> Schedule:
     """The schedule of an alternative for which no run found one, and why."""
     return Schedule(
         rank=alternative.rank,
         status="unknown",
-        certificate=Certificate(
+        certificate=certificate
+        or Certificate(
             claim="unproven",
             method="serial_generation",
             bound=seconds(problem.bounds.makespan),
@@ -26,8 +41,8 @@ def unknown_schedule(problem: Problem, alternative: Alternative, failures: list[
     )
 
 
-def found_schedule(problem: Problem, alternative: Alternative, draft: Draft) -> Schedule:
-    """The schedule that a draft makes, with what is proven of it."""
+def by_bound(problem: Problem, draft: Draft) -> Certificate:
+    """What the bounds alone prove of a draft."""
     bound = problem.bounds.makespan
     optimal = draft.makespan == bound
     name = problem.bounds.method.replace("_", " ")
@@ -36,12 +51,20 @@ def found_schedule(problem: Problem, alternative: Alternative, draft: Draft) -> 
         if optimal
         else f"No schedule is shorter than {seconds(bound):g} s, the lower bound by {name}."
     )
+    return Certificate(
+        claim="proven" if optimal else "bounded", method=problem.bounds.method, bound=seconds(bound), detail=detail
+    )
+
+
+def found_schedule(
+    problem: Problem, alternative: Alternative, draft: Draft, certificate: Certificate | None = None
+) -> Schedule:
+    """The schedule that a draft makes, with what is known of it. Default: what the bounds alone prove."""
+    certificate = certificate or by_bound(problem, draft)
     return Schedule(
         rank=alternative.rank,
-        status="optimal" if optimal else "feasible",
-        certificate=Certificate(
-            claim="proven" if optimal else "bounded", method=problem.bounds.method, bound=seconds(bound), detail=detail
-        ),
+        status="optimal" if certificate.claim == "proven" else "feasible",
+        certificate=certificate,
         assignments=tuple(Assignment(role, robot) for role, robot in draft.robot_of.items()),
         actions=tuple(
             ScheduledAction(leaf=one.leaf, robot=one.robot, start_s=seconds(one.start), end_s=seconds(one.end))

@@ -1,0 +1,1 @@
+"""Small missions tried out to the end: a proof that needs no solver."""

@@ -1,0 +1,365 @@
+"""
+The shortest schedule of a small mission, and the proof that none is shorter, by trying everything that could be.
+
+Activities are put down one after the other, each as early as it can be after what stands there; every order and every choice of robots
+is tried, but for what cannot beat the best and for what only repeats another trial: equal robots that have done nothing yet, and orders
+in which a later choice starts earlier. That loses nothing. Of the best schedules take one with the least sum of starts, and put its
+activities down in order of their starts (one that must wait for an open-ended action to have begun, after that action): each comes to
+stand where it stood, or the sum was not the least.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from itertools import product
+
+from missiontree.estimation.travel import Blocked
+from missiontree.scheduling.course import Course
+from missiontree.scheduling.enumeration.state import State
+from missiontree.scheduling.impossible import TOLERANCE
+from missiontree.scheduling.precedence import indegrees
+from missiontree.scheduling.problem import Problem
+from missiontree.scheduling.ticks import ticks
+from missiontree.scheduling.trips import Spot, Trip
+
+MOST_CHOICES = 64
+"""Ways in which open-ended actions may come to be under way, beyond which nothing is tried."""
+MOST_ACTIVITIES = 80
+"""The same, of activities."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tried:
+    """
+    What trying came to.
+
+    Parameters
+    ----------
+    complete
+        Whether everything was tried, so that nothing is shorter than the course, or than what was to be beaten.
+    course
+        The shortest that beats what was to be beaten; None if none does.
+    steps
+        How many steps it took.
+    """
+
+    complete: bool
+    course: Course | None
+    steps: int
+
+
+class _EnoughError(Exception):
+    """The steps are used up, or somebody asks to stop."""
+
+
+class Trying:
+    """
+    Tries everything.
+
+    Parameters
+    ----------
+    problem
+        The alternative.
+    limit
+        Ticks by which a schedule must be over to be of interest.
+    most_steps
+        Steps after which to give up.
+    ended
+        Asked now and then whether to stop.
+    """
+
+    def __init__(self, problem: Problem, limit: int, most_steps: int, ended: Callable[[], bool]) -> None:
+        self._problem, self._limit, self._most, self._ended = problem, limit, most_steps, ended
+        self._graph, self._bounds, self._staffing = problem.graph, problem.bounds, problem.staffing
+        self._actions = [
+            [(leaf, self._graph.tree.action(leaf)) for leaf in leaves] for leaves in self._graph.activities
+        ]
+        self._names: list[str] = []
+        self._kind: list[str] = []
+        self._alike: list[object] = []
+        for kind in problem.fleet.types:
+            for robot, start in zip(kind.members, problem.trips.starts(kind.id), strict=True):
+                named = robot.id if robot.id in problem.required else ""
+                self._names.append(robot.id)
+                self._kind.append(kind.id)
+                self._alike.append((kind.id, start, tuple(sorted(robot.remaining.items())), named))
+        self._of_kind: dict[str, list[int]] = {}
+        for number, kind_id in enumerate(self._kind):
+            self._of_kind.setdefault(kind_id, []).append(number)
+        self._first = {role: self._graph.activity_of[leaves[0]] for role, leaves in self._graph.roles.items()}
+        self._last = {role: leaves[-1] for role, leaves in self._graph.roles.items()}
+        self._steps = 0
+        self._best: Course | None = None
+        self._under_way: dict[int, int] = {}
+        self._waits: dict[int, list[int]] = {}
+
+    def __call__(self) -> Tried:
+        """Try."""
+        opened = sorted(self._graph.until)
+        ways = [sorted(self._graph.until[one]) for one in opened]
+        number = 1
+        for way in ways:
+            number *= max(1, len(way))
+        if number > MOST_CHOICES or len(self._actions) > MOST_ACTIVITIES:
+            return Tried(False, None, 0)
+        try:
+            for chosen in product(*(way or [-1] for way in ways)):
+                self._under_way = {one: last for one, last in zip(opened, chosen, strict=True) if last >= 0}
+                self._waits = {}
+                for one, last in self._under_way.items():
+                    self._waits.setdefault(last, []).append(one)
+                state = self._begin()
+                self._settle(state, [event for event, count in enumerate(state.missing) if not count])
+                self._go_on(state)
+        except _EnoughError:
+            return Tried(False, self._best, self._steps)
+        return Tried(True, self._best, self._steps)
+
+    def _begin(self) -> State:
+        problem, left = self._problem, dict[tuple[str, str], float]()
+        for kind in problem.fleet.types:
+            left |= {(kind.id, name): amount for name, amount in kind.total_limits.items()}
+            for robot in kind.members:
+                for name, amount in (dict(kind.limits) | dict(robot.remaining)).items():
+                    left[robot.id, name] = amount
+        left |= {("", name): amount for name, amount in problem.shared.items()}
+        return State(
+            time=[0] * len(self._graph.successors),
+            missing=indegrees(self._graph.successors),
+            robot_of={},
+            spot=[start for kind in problem.fleet.types for start in problem.trips.starts(kind.id)],
+            free=[0] * len(self._names),
+            role=[-1] * len(self._names),
+            things={},
+            left=left,
+        )
+
+    # --- one step ---------------------------------------------------------------------------------------------------
+
+    def _go_on(self, state: State) -> None:
+        self._steps += 1
+        if self._steps > self._most or (self._steps % 16 == 0 and self._ended()):
+            raise _EnoughError
+        if len(state.placed) == len(self._actions):
+            self._finish(state)
+            return
+        if self._hopeless(state):
+            return
+        for activity in range(len(self._actions)):
+            if activity in state.starts or state.missing[2 * activity]:
+                continue
+            if any(one not in state.starts for one in self._waits.get(activity, ())):
+                continue
+            for robots in self._staffings(state, activity):
+                after = self._put(state, activity, robots)
+                if after is not None:
+                    self._go_on(after)
+
+    def _finish(self, state: State) -> None:
+        end = max(state.time[1 : 2 * len(self._actions) : 2], default=0)
+        used = set(state.robot_of.values())
+        if end > self._limit or any(state.missing):
+            return
+        if not {*self._problem.required} <= {self._names[robot] for robot in used}:
+            return
+        self._best, self._limit = self._course(state), end - 1
+
+    def _hopeless(self, state: State) -> bool:
+        """Whether what is left cannot be over in time."""
+        heads, tails, limit = self._bounds.heads, self._bounds.tails, self._limit
+        for activity in range(len(self._actions)):
+            if activity not in state.starts:
+                begin = (
+                    state.time[2 * activity] if activity in self._waits else max(state.time[2 * activity], state.key)
+                )
+                if max(begin, heads[2 * activity]) + tails[2 * activity] > limit:
+                    return True
+        return False
+
+    def _staffings(self, state: State, activity: int) -> Iterator[dict[int, int]]:
+        """Robots by role, for all roles of an activity."""
+        options: list[list[tuple[int, int]]] = []
+        for _, action in self._actions[activity]:
+            role = action.role
+            group = self._staffing.group_of[role]
+            robot = state.robot_of.get(group)
+            if robot is None:
+                options.append([(role, one) for one in self._free(state, group, action.robot_type)])
+            elif state.role[robot] in {-1, role}:
+                options.append([(role, robot)])
+            else:
+                return
+        for chosen in product(*options):
+            taken = dict(chosen)
+            if len(set(taken.values())) == len(taken) and self._apart(state, taken):
+                yield taken
+
+    def _free(self, state: State, group: int, type_id: str) -> Iterator[int]:
+        """Robots that a group may take, of equal ones that have done nothing the first few only."""
+        used = set(state.robot_of.values())
+        many = max(len(actions) for actions in self._actions)
+        fresh: dict[object, int] = {}
+        in_use = sum(self._kind[robot] == type_id for robot in used)
+        full = in_use >= self._problem.fleet.by_id[type_id].usable
+        for robot in self._of_kind[type_id]:
+            if state.role[robot] >= 0 or (robot not in used and full):
+                continue
+            if robot not in used:
+                seen = fresh[self._alike[robot]] = fresh.get(self._alike[robot], 0) + 1
+                if seen > many:
+                    continue
+            if self._avoids(state, group, robot):
+                continue
+            yield robot
+
+    def _avoids(self, state: State, group: int, robot: int) -> bool:
+        avoided, worn = self._staffing.avoids[group], self._staffing.wears[group]
+        return bool(avoided or worn) and any(
+            avoided & self._staffing.wears[other] or worn & self._staffing.avoids[other]
+            for other, its in state.robot_of.items()
+            if its == robot and other != group
+        )
+
+    def _apart(self, state: State, taken: dict[int, int]) -> bool:
+        """Joint roles of one activity take their robots at once; together they must not be too many, nor the wrong ones."""
+        if len(taken) == 1:
+            return True
+        used = {*state.robot_of.values(), *taken.values()}
+        kinds = self._problem.fleet.types
+        return all(sum(self._kind[robot] == kind.id for robot in used) <= kind.usable for kind in kinds)
+
+    def _put(self, state: State, activity: int, robots: dict[int, int]) -> State | None:
+        """The state with an activity put down; None if that cannot be, or leads nowhere new."""
+        start, length, trips = self._earliest(state, activity, robots)
+        if trips is None:
+            return None
+        key = max([start, *(state.starts[one] for one in self._waits.get(activity, ()))])
+        if key < state.key or start + self._bounds.tails[2 * activity] > self._limit:
+            return None
+        after, end = state.copy(), start + length
+        after.key, after.placed = key, (*state.placed, activity)
+        after.starts[activity] = start
+        for leaf, action in self._actions[activity]:
+            robot = robots[action.role]
+            if not self._spend(after, leaf, robot, trips[leaf]):
+                return None
+            after.robot_of[self._staffing.group_of[action.role]] = robot
+            after.role[robot] = action.role
+        for leaf, action in self._actions[activity]:
+            self._move(after, leaf, robots[action.role], start, end)
+        after.time[2 * activity] = start
+        after.time[2 * activity + 1] = max(after.time[2 * activity + 1], end)
+        self._settle(after, [2 * activity])
+        return after
+
+    def _earliest(
+        self, state: State, activity: int, robots: dict[int, int]
+    ) -> tuple[int, int, dict[int, Trip | None] | None]:
+        start, length = state.time[2 * activity], 0
+        trips: dict[int, Trip | None] = {}
+        for leaf, action in self._actions[activity]:
+            robot, trip = robots[action.role], None
+            if action.moves or action.at is not None:
+                goal = None if action.at is None else self._thing(state, action.at)[0]
+                if action.moves or goal is not None:
+                    found = self._problem.trips.trip(action, state.spot[robot], goal)
+                    if isinstance(found, Blocked):
+                        return 0, 0, None
+                    trip = found
+            trips[leaf] = trip
+            way = trip.ticks if trip is not None else 0
+            start = max(start, state.free[robot] + (0 if action.moves else way))
+            length = max(length, way if action.moves else ticks(action.duration_s))
+            if action.at is not None:
+                start = max(start, self._thing(state, action.at)[1])
+            for name in action.brings:
+                start = max(start, *self._thing(state, name)[1:])
+        if activity in self._graph.until:
+            length = 0
+        for one in self._waits.get(activity, ()):
+            start = max(start, state.starts[one] + 1 - length)
+        return start, length, trips
+
+    def _thing(self, state: State, name: str) -> tuple[Spot, int, int]:
+        found = state.things.get(name)
+        return (self._problem.trips.spot(name), 0, 0) if found is None else found
+
+    def _spend(self, state: State, leaf: int, robot: int, trip: Trip | None) -> bool:
+        kind = self._problem.fleet.by_id[self._kind[robot]]
+        use = dict(self._graph.tree.action(leaf).uses)
+        if trip is not None:
+            for name, amount in kind.uses_per_m.items():
+                use[name] = use.get(name, 0.0) + amount * trip.metres
+        for name, amount in use.items():
+            for whose in (self._names[robot], kind.id, ""):
+                if (whose, name) in state.left:
+                    left = state.left[whose, name] = state.left[whose, name] - amount
+                    if left < -TOLERANCE:
+                        return False
+        return True
+
+    def _move(self, state: State, leaf: int, robot: int, start: int, end: int) -> None:
+        """Who and what is elsewhere afterwards."""
+        action = self._graph.tree.action(leaf)
+        goal = None if action.at is None else self._thing(state, action.at)[0]
+        if action.at is not None:
+            spot, since, needed = self._thing(state, action.at)
+            state.things[action.at] = (spot, since, max(needed, start if action.open_ended else end))
+        if action.moves or action.at is not None:
+            state.spot[robot] = goal
+        for name in action.brings:
+            state.things[name] = (goal, end, self._thing(state, name)[2])
+
+    def _settle(self, state: State, events: list[int]) -> None:
+        """Pass on the times of events that are known by now."""
+        activities, stack = 2 * len(self._actions), events
+        while stack:
+            event = stack.pop()
+            if event < activities and event % 2 == 0 and event // 2 not in state.starts:
+                continue
+            if event < activities and event % 2:
+                self._over(state, event // 2)
+            for after in self._graph.successors[event]:
+                state.time[after] = max(state.time[after], state.time[event])
+                state.missing[after] -= 1
+                if not state.missing[after]:
+                    stack.append(after)
+
+    def _over(self, state: State, activity: int) -> None:
+        for leaf, action in self._actions[activity]:
+            robot = state.robot_of[self._staffing.group_of[action.role]]
+            state.free[robot] = max(state.free[robot], state.time[2 * activity + 1])
+            if self._last[action.role] == leaf:
+                state.role[robot] = -1
+
+    # --- what it came to --------------------------------------------------------------------------------------------
+
+    def _course(self, state: State) -> Course:
+        robots = {role: self._names[state.robot_of[group]] for role, group in self._staffing.group_of.items()}
+        tours: dict[str, list[int]] = {}
+        for activity in state.placed:
+            for leaf, action in self._actions[activity]:
+                if self._graph.roles[action.role][0] == leaf:
+                    tours.setdefault(robots[action.role], []).append(action.role)
+        after_end: list[tuple[int, int]] = []
+        after_start: list[tuple[int, int]] = []
+        for place, second in enumerate(state.placed):
+            for first in state.placed[:place]:
+                begun = self._begun_is_enough(first, second)
+                if begun is not None:
+                    (after_start if begun else after_end).append((first, second))
+        return Course(robots, tours, after_end, after_start, dict(self._under_way))
+
+    def _begun_is_enough(self, first: int, second: int) -> bool | None:
+        """Whether the second need only wait for the first to begin, for the sake of what they move; None if not even that."""
+        waits: bool | None = None
+        for _, earlier in self._actions[first]:
+            for _, later in self._actions[second]:
+                if {*earlier.brings} & {*later.brings, later.at}:
+                    return False
+                if earlier.at is not None and earlier.at in later.brings:
+                    if not earlier.open_ended:
+                        return False
+                    waits = True
+        return waits

@@ -1,0 +1,136 @@
+"""
+From a course to a draft: everything as early as the course allows, with the ways, the budgets and the world of every other scheduler.
+
+This is where what a solver says becomes a schedule of ours. A course that cannot be kept gives none.
+"""
+
+from __future__ import annotations
+
+import heapq
+from dataclasses import replace
+from itertools import pairwise, permutations
+
+from missiontree.estimation.travel import Blocked
+from missiontree.scheduling.board import Board
+from missiontree.scheduling.charging import charge
+from missiontree.scheduling.course import Course
+from missiontree.scheduling.demand import Demands
+from missiontree.scheduling.mission_terms import terms_broken
+from missiontree.scheduling.placing import length
+from missiontree.scheduling.precedence import indegrees
+from missiontree.scheduling.problem import Done, Draft, Problem, Rule
+from missiontree.scheduling.stuck import StuckError
+from missiontree.scheduling.trips import Trip
+
+
+def replay(problem: Problem, course: Course) -> Draft | None:
+    """The draft of a course; None if it contradicts itself, leads nowhere, or uses more than there is."""
+    if not _may_fill(problem, course):
+        return None
+    try:
+        draft = _Replay(problem, course).draft()
+    except StuckError:
+        return None
+    return None if draft is None or terms_broken(problem, draft.robot_of) else draft
+
+
+def _may_fill(problem: Problem, course: Course) -> bool:
+    """Whether every group of roles has one robot, of its type, and none that wears a mark it avoids."""
+    staffing = problem.staffing
+    groups_of: dict[str, list[int]] = {}
+    for group, roles in staffing.members.items():
+        robots = {course.robots.get(role) for role in roles}
+        robot = next(iter(robots))
+        if len(robots) > 1 or robot is None or problem.fleet.type_of[robot].id != staffing.type_of[group]:
+            return False
+        groups_of.setdefault(robot, []).append(group)
+    return not any(
+        staffing.avoids[one] & staffing.wears[other]
+        for groups in groups_of.values()
+        for one, other in permutations(groups, 2)
+    )
+
+
+class _Replay:
+    def __init__(self, problem: Problem, course: Course) -> None:
+        self._graph = graph = problem.graph
+        self._board = board = Board(problem, Rule())
+        self._demands = Demands(board)
+        for role, group in board.staffing.group_of.items():
+            board.robot_of_group[group] = board.world.robots[course.robots[role]]
+        self._later = [list(later) for later in graph.successors]
+        for roles in course.tours.values():
+            for earlier, later in pairwise(roles):
+                self._later[graph.end(graph.roles[earlier][-1])].append(graph.start(graph.roles[later][0]))
+        for first, second in course.after_end:
+            self._later[2 * first + 1].append(2 * second)
+        for first, second in course.after_start:
+            self._later[2 * first].append(2 * second)
+        self._under_way: dict[int, list[int]] = {}  # by open-ended activity: those that must end after it has started
+        for open_ended, one in course.under_way.items():
+            self._under_way.setdefault(open_ended, []).append(one)
+
+    def draft(self) -> Draft | None:
+        """Event by event, in an order that the course allows; None if there is none."""
+        board, activities = self._board, 2 * len(self._graph.activities)
+        missing = indegrees(self._later)
+        for ones in self._under_way.values():
+            for one in ones:
+                missing[2 * one] += 1
+        ready = [event for event, count in enumerate(missing) if not count]
+        seen = 0
+        while ready:
+            event = heapq.heappop(ready)
+            seen += 1
+            if event < activities:
+                self._finish(event // 2) if event % 2 else self._begin(event // 2)
+            later = list(self._later[event])
+            for after in later:
+                board.time[after] = max(board.time[after], board.time[event])
+            if event < activities and event % 2 == 0:
+                later += [2 * one for one in self._under_way.get(event // 2, ())]
+            for after in later:
+                missing[after] -= 1
+                if not missing[after]:
+                    heapq.heappush(ready, after)
+        return board.draft(()) if seen == len(missing) else None
+
+    def _begin(self, activity: int) -> None:
+        board, actions = self._board, self._board.actions(activity)
+        robots = {leaf: board.robot_of_group[board.staffing.group_of[action.role]] for leaf, action in actions}
+        trips = {leaf: self._demands.trip(robots[leaf].spot, action) for leaf, action in actions}
+        start = board.time[2 * activity]
+        for leaf, action in actions:
+            trip = trips[leaf]
+            if isinstance(trip, Blocked):
+                raise StuckError(trip.reason)
+            way = trip.ticks if trip is not None and not action.moves else 0
+            start = max(start, robots[leaf].free_at + way, board.world.not_before(action))
+        lasts = length(board, activity, trips)
+        start = max(start, board.least_end.get(activity, 0) - lasts)
+        end = start + lasts
+        for leaf, action in actions:
+            trip, robot = trips[leaf], robots[leaf]
+            assert not isinstance(trip, Blocked)
+            charge(board, robot, action, trip)
+            leaves_at = start if action.moves else robot.free_at
+            arrives_at = end if action.moves else leaves_at + _ticks(trip)
+            board.done[leaf] = Done(leaf, robot.id, start, end, trip, leaves_at, arrives_at)
+        for leaf, action in actions:
+            board.world.do(robots[leaf], action, start, end)
+        board.placed[activity] = [(leaf, robots[leaf]) for leaf, _ in actions]
+        board.time[2 * activity] = start
+        board.time[2 * activity + 1] = max(board.time[2 * activity + 1], end)
+        for one in self._under_way.get(activity, ()):
+            board.least_end[one] = max(board.least_end.get(one, 0), start + 1)
+
+    def _finish(self, activity: int) -> None:
+        board, end = self._board, self._board.time[2 * activity + 1]
+        for leaf, robot in board.placed[activity]:
+            if board.done[leaf].end != end:
+                board.done[leaf] = replace(board.done[leaf], end=end)
+            robot.free_at = max(robot.free_at, end)
+
+
+def _ticks(trip: Trip | None) -> int:
+    return 0 if trip is None else trip.ticks

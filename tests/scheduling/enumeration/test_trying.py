@@ -1,0 +1,83 @@
+"""Trying everything comes to what can be derived by hand, says when it was too much, and finds nothing where nothing is."""
+
+from __future__ import annotations
+
+from missiontree.mission.fleet import Fleet, RobotType
+from missiontree.mission.scene import Scene
+from missiontree.mission.terms import NO_TERMS, Terms
+from missiontree.scheduling.enumeration.trying import Tried, Trying
+from missiontree.scheduling.greedy import read_problem
+from missiontree.scheduling.problem import Problem
+from missiontree.scheduling.replay import replay
+from tests.scheduling.instances import Instance, Part, at, mission, robots, scene, work
+
+
+def problem_of(instance: Instance, *types: RobotType, world: Scene | None = None, terms: Terms = NO_TERMS) -> Problem:
+    """The problem that schedulers read."""
+    problem = read_problem(instance.tree, instance.alternative, Fleet(types), world or Scene(), terms)
+    assert isinstance(problem, Problem)
+    return problem
+
+
+def tried(problem: Problem, limit: int, most_steps: int = 10_000) -> Tried:
+    """Everything that is over by a limit."""
+    return Trying(problem, limit, most_steps, lambda: False)()
+
+
+def makespan(problem: Problem, found: Tried) -> int | None:
+    """Of the course that was found, played through."""
+    draft = replay(problem, found.course) if found.course is not None else None
+    return None if draft is None else draft.makespan
+
+
+def far_and_near() -> tuple[Instance, RobotType, Scene]:
+    """Work at 4 and at -3, 1 s each; one robot at 0, 1 m/s: -3 first, 3 + 1 + 7 + 1 = 12 s; 4 first, 4 + 1 + 7 + 1 = 13 s."""
+    made = mission([Part("p", "r", [work(1, at="p")]), Part("q", "r", [work(1, at="q")])])
+    return made, robots("r", speed=1, position=at(0)), scene(p=4, q=-3)
+
+
+def test_the_nearer_first() -> None:
+    made, kind, world = far_and_near()
+    problem = problem_of(made, kind, world=world)
+    found = tried(problem, 20_000)
+    assert found.complete
+    assert makespan(problem, found) == 12_000
+    assert found.course is not None
+    assert list(found.course.tours["r-1"]) == [1, 0]
+
+
+def test_nothing_beats_the_least() -> None:
+    made, kind, world = far_and_near()
+    found = tried(problem_of(made, kind, world=world), 11_999)
+    assert (found.complete, found.course) == (True, None)
+
+
+def test_too_many_steps_leave_it_open() -> None:
+    made = mission([Part(f"p{n}", "r", [work(n + 1)]) for n in range(8)])
+    found = tried(problem_of(made, robots("r", 3)), 12_000, most_steps=20)
+    assert not found.complete
+
+
+def test_who_is_told_to_stop_stops() -> None:
+    made = mission([Part(f"p{n}", "r", [work(n + 1)]) for n in range(12)])
+    found = Trying(problem_of(made, robots("r", 3)), 40_000, 10**9, lambda: True)()
+    assert not found.complete
+    assert found.steps < 100
+
+
+def test_who_must_take_part_does() -> None:
+    """Two robots, equal but for their names, and two roles in a row by precedence: r-2 must do one of them."""
+    made = mission([Part("a", "r", [work(1)]), Part("b", "r", [work(1)])], [("a", "b")])
+    problem = problem_of(made, robots("r", 2), terms=Terms(require=("r-2",)))
+    found = tried(problem, 2_000)
+    assert found.course is not None
+    assert "r-2" in found.course.robots.values()
+    assert makespan(problem, found) == 2_000
+
+
+def test_all_ways_of_being_under_way_are_tried() -> None:
+    """a's following starts at 5; it lasts until c (3 s) and d (1 s) have ended, one of which must end at 5.001 or later."""
+    parts = [Part("a", "r", [work(5), work(9, open_ended=True)]), Part("c", "s", [work(3)]), Part("d", "t", [work(1)])]
+    made = mission(parts, [("a", "c", "until"), ("a", "d", "until")])
+    problem = problem_of(made, robots("r"), robots("s"), robots("t"))
+    assert makespan(problem, tried(problem, 20_000)) == 5_001
