@@ -8,7 +8,7 @@ from typing import Literal
 from missiontree.mission.search_limit import SearchLimit
 from missiontree.mission.value import Id, Value
 
-Claim = Literal["proven", "bounded", "unproven"]
+Claim = Literal["proven", "bounded", "solver_word", "unproven"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -20,7 +20,8 @@ class Certificate(Value):
     ----------
     claim
         ``proven``: the result is what it is said to be (the k-th best, the optimum, infeasible). ``bounded``: nothing better than
-        ``bound`` exists. ``unproven``: it was found, nothing more is known.
+        ``bound`` exists. ``solver_word``: the same, but a solver says so and nothing confirms it, neither a bound nor a second
+        method; for schedules only. ``unproven``: it was found, nothing more is known.
     method
         How it is known, such as ``lazy_k_best``, ``critical_path`` or ``enumeration``.
     bound

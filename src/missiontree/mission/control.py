@@ -27,12 +27,16 @@ class Progress:
         Results found so far.
     bound
         Best bound so far; None if there is none yet.
+    best
+        Value of the best result so far, to be held against the bound; None if there is none or it has no value. The gap is the
+        difference of the two.
     """
 
     stage: str
     done: int
     found: int
     bound: float | None = None
+    best: float | None = None
 
 
 def never() -> bool:

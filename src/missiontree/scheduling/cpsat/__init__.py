@@ -1,0 +1,1 @@
+"""Schedules by constraint programming (CP-SAT of OR-Tools), rebuilt and confirmed by our own means."""

@@ -1,0 +1,72 @@
+"""
+The scheduler ``cpsat``: bounds first, then a greedy schedule, then constraint programming, and a proof that does not rest on it.
+
+If the greedy schedule is as short as a lower bound, nothing is solved. Else the model is solved from there on, for the least makespan,
+then the least travel, then the least sum of ends; every answer is replayed by our own means before it counts. That a schedule is optimal
+is said only if our own bound, an enumeration, or a second formulation of another kind confirms it; else it is the solver's word.
+"""
+
+from __future__ import annotations
+
+from missiontree.mission.alternative import Alternative
+from missiontree.mission.control import Control
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.scene import Scene
+from missiontree.mission.schedule import Schedule
+from missiontree.mission.terms import NO_TERMS, Terms
+from missiontree.scheduling.cpsat.improving import Improving
+from missiontree.scheduling.cpsat.settings import Settings
+from missiontree.scheduling.greedy import best_of_runs, read_problem
+from missiontree.scheduling.problem import Problem
+from missiontree.scheduling.writing import found_schedule, impossible_schedule
+
+GREEDY_SHARE = 0.2  # of the time, for greedy runs beyond the first that succeeds
+GREEDY_RUNS = 6
+CPSAT = Settings(longest_s=30.0)
+"""Half a minute for each alternative, at most."""
+AUTO = Settings(longest_s=1.0, largest=20_000, deterministic=True, tidy=False, last_steps=4_000)
+"""A second at most, and the same answer every time."""
+
+
+def cpsat(
+    tree: GroundedTree,
+    alternative: Alternative,
+    fleet: Fleet,
+    scene: Scene,
+    control: Control,
+    terms: Terms = NO_TERMS,
+) -> Schedule:
+    """Schedule an alternative, see :class:`missiontree.scheduling.scheduler.Scheduler`."""
+    return schedule_within(tree, alternative, fleet, scene, control, terms, CPSAT)
+
+
+def auto(
+    tree: GroundedTree,
+    alternative: Alternative,
+    fleet: Fleet,
+    scene: Scene,
+    control: Control,
+    terms: Terms = NO_TERMS,
+) -> Schedule:
+    """Greedy, and constraint programming where that leaves a gap and the model is small; see :func:`cpsat`."""
+    return schedule_within(tree, alternative, fleet, scene, control, terms, AUTO)
+
+
+def schedule_within(
+    tree: GroundedTree,
+    alternative: Alternative,
+    fleet: Fleet,
+    scene: Scene,
+    control: Control,
+    terms: Terms,
+    settings: Settings,
+) -> Schedule:
+    """Schedule an alternative within limits of one's own."""
+    problem = read_problem(tree, alternative, terms.team_of(fleet), scene, terms)
+    if not isinstance(problem, Problem):
+        return impossible_schedule(alternative, *problem)
+    best, failures = best_of_runs(problem, alternative, control, control.part(GREEDY_SHARE), GREEDY_RUNS)
+    if best is not None and best.makespan == problem.bounds.makespan:
+        return found_schedule(problem, alternative, best)
+    return Improving(problem, alternative, control, settings, best, failures)()

@@ -1,0 +1,42 @@
+"""How long a mission takes at most if nothing is done at the same time."""
+
+from __future__ import annotations
+
+from missiontree.estimation.travel import Blocked
+from missiontree.scheduling.cpsat.placing import is_somewhere
+from missiontree.scheduling.problem import Problem
+from missiontree.scheduling.ticks import ticks
+from missiontree.scheduling.trips import Spot
+
+
+def horizon_of(problem: Problem) -> int:
+    """
+    Ticks by which everything can be over, if it can be at all.
+
+    Where everything starts as early as it may, the last end is reached by a chain of actions and ways in which each stands once; an
+    action that must be under way when another ends costs a tick more.
+    """
+    graph, spots = problem.graph, dict[str, set[Spot]]()
+    for role, leaves in graph.roles.items():
+        own = spots.setdefault(
+            problem.staffing.type_of[role], set(problem.trips.starts(problem.staffing.type_of[role]))
+        )
+        for leaf in leaves:
+            if is_somewhere(graph.tree.action(leaf)):
+                own |= problem.places.of[leaf]
+    total = len(graph.until)
+    for leaves in graph.activities:
+        total += max(_way(problem, leaf, spots) for leaf in leaves)
+        total += max(ticks(graph.tree.action(leaf).duration_s) for leaf in leaves)
+    return max(total, problem.bounds.makespan)
+
+
+def _way(problem: Problem, leaf: int, spots: dict[str, set[Spot]]) -> int:
+    """The longest way to an action."""
+    action = problem.graph.tree.action(leaf)
+    way = 0
+    for origin in spots[action.robot_type] if is_somewhere(action) else ():
+        for goal in problem.places.of[leaf]:
+            trip = problem.trips.trip(action, origin, goal)
+            way = max(way, 0 if isinstance(trip, Blocked) else trip.ticks)
+    return way

@@ -1,0 +1,215 @@
+"""The scheduler against numbers derived by hand, and what it says of them."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from missiontree.mission.control import Control, Progress
+from missiontree.mission.fleet import Fleet, Robot, RobotType
+from missiontree.mission.scene import Scene
+from missiontree.mission.schedule import Schedule
+from missiontree.mission.terms import NO_TERMS
+from missiontree.scheduling import SCHEDULERS
+from missiontree.scheduling.cpsat.engine import schedule_within
+from missiontree.scheduling.cpsat.settings import Settings
+from tests.scheduling.instances import Instance, Part, at, mission, move, robot_of, robots, scene, times, work
+from tests.scheduling.validator import faults
+
+SOLVER_ONLY = Settings(longest_s=60, first_steps=0, last_steps=0)
+
+
+def scheduled(instance: Instance, *types: RobotType, world: Scene | None = None, name: str = "cpsat") -> Schedule:
+    """The schedule that a scheduler makes."""
+    result = SCHEDULERS[name](instance.tree, instance.alternative, Fleet(types), world or Scene(), Control())
+    assert (
+        result.status not in {"optimal", "feasible"} or faults(instance, Fleet(types), world or Scene(), result) == []
+    )
+    return result
+
+
+def solved(
+    instance: Instance, *types: RobotType, world: Scene | None = None, control: Control | None = None
+) -> Schedule:
+    """The schedule of the solver, with nothing tried out before or after."""
+    fleet, there = Fleet(types), world or Scene()
+    made = (instance.tree, instance.alternative, fleet, there, control or Control())
+    return schedule_within(*made, NO_TERMS, SOLVER_ONLY)
+
+
+def five_stops() -> tuple[Instance, RobotType, Scene]:
+    """
+    A second of work at each of 2, 5, 9 and -3, -8; two robots at 0, 1 m/s.
+
+    One goes right, 9 m and 3 s; one goes left, 8 m and 2 s. At 9 nobody is done before 10 s, and whoever does 9 cannot do less
+    than what the other, who must be at -8 for a second, cannot reach: 2 and 5 on the way cost 2 s. So 12 s is least.
+    """
+    made = mission([Part(f"p{n}", "r", [work(1, at=f"x{n}")]) for n in range(5)])
+    return made, robots("r", 2, speed=1, position=at(0)), scene(x0=5, x1=-3, x2=9, x3=-8, x4=2)
+
+
+def drained() -> tuple[Instance, RobotType, Scene]:
+    """See :func:`tests.scheduling.test_greedy.test_no_robot_takes_both_roles_if_travel_drains_it`: 41 s, as far must do q."""
+    kind = robots(
+        "r",
+        speed=1,
+        uses_per_m={"energy_j": 1},
+        robots=(
+            Robot(id="near", position=at(0), remaining={"energy_j": 25}),
+            Robot(id="far", position=at(-50), remaining={"energy_j": 100}),
+        ),
+    )
+    made = mission([Part("p", "r", [work(1, at="p")]), Part("q", "r", [work(1, at="q")])])
+    return made, kind, scene(p=10, q=-10)
+
+
+def test_tours_are_as_short_as_they_can_be_and_a_second_formulation_says_so() -> None:
+    made, kind, world = five_stops()
+    result = solved(made, kind, world=world)
+    assert (result.makespan_s, result.status) == (12, "optimal")
+    assert (result.certificate.claim, result.certificate.method) == ("proven", "second_formulation")
+    assert sum(leg.distance_m for leg in result.legs) == 17  # 9 + 8, and no metre more
+
+
+def test_the_same_is_proven_by_trying_everything() -> None:
+    made, kind, world = five_stops()
+    result = scheduled(made, kind, world=world)
+    assert (result.makespan_s, result.status, result.certificate.method) == (12, "optimal", "enumeration")
+    assert sum(leg.distance_m for leg in result.legs) == 17
+
+
+def test_what_nothing_confirms_is_the_solver_s_word() -> None:
+    """The second formulation knows nothing of energy along tours, so that it cannot agree."""
+    made, kind, world = drained()
+    result = solved(made, kind, world=world)
+    assert (result.makespan_s, result.status) == (41, "feasible")
+    assert (result.certificate.claim, result.certificate.method, result.certificate.bound) == (
+        "solver_word",
+        "cp_sat",
+        41,
+    )
+    assert "nothing confirms" in result.certificate.detail
+
+
+def test_energy_along_a_tour_is_kept() -> None:
+    made, kind, world = drained()
+    result = scheduled(made, kind, world=world)
+    assert robot_of(made, result) == {"p": "near", "q": "far"}
+    assert (result.makespan_s, result.status, result.certificate.method) == (41, "optimal", "enumeration")
+
+
+def test_heads_are_counted_where_robots_are_equal() -> None:
+    """
+    3, 3, 2, 2, 2 s for two robots in parallel: 12 s of work, 6 s each, as 3 + 3 and 2 + 2 + 2.
+
+    Longest first gives 3 + 2 + 2 and 3 + 2; the bound of 6 s is met all the same.
+    """
+    made = mission([Part(f"p{n}", "r", [work(d)]) for n, d in enumerate([3, 3, 2, 2, 2])])
+    result = solved(made, robots("r", 2))
+    assert (result.makespan_s, result.status) == (6, "optimal")
+
+
+def test_a_robot_held_in_a_role_does_nothing_else() -> None:
+    """a waits inside its role for b till 8 and ends at 9; c, of a's robot, takes 2 s before it: none can be shorter than 9 s."""
+    made = mission(
+        [Part("a", "r", [work(1), work(1)]), Part("b", "s", [work(8)]), Part("c", "r", [work(2)])], [("b", "a.1")]
+    )
+    result = scheduled(made, robots("r"), robots("s"))
+    assert result.makespan_s == 9
+    assert times(made, result)["c.0"][1] <= times(made, result)["a.0"][0]
+
+
+def test_joint_work_waits_for_the_last_and_things_are_where_they_were_taken() -> None:
+    """
+    fast and slow lift the box at 4 together from 4 s (slow's way) for 1 s and bring it to 10 by 11 s; then c, at 0, goes 10 m for it.
+
+    c is there at 10, so that it starts when the box is there, at 11, and ends at 12.
+    """
+    steps = [work(1, at="box", sync=0), move("goal", "box", sync=1)]
+    made = mission(
+        [Part("a", "fast", steps, team=0), Part("b", "slow", steps, team=0), Part("c", "s", [work(1, at="box")])],
+        [("a", "c")],
+    )
+    result = scheduled(
+        made,
+        robots("fast", speed=2, position=at(0)),
+        robots("slow", speed=1, position=at(0)),
+        robots("s", speed=1, position=at(0)),
+        world=scene(box=4, goal=10),
+    )
+    assert times(made, result)["a.1"] == (5, 11)
+    assert times(made, result)["c.0"] == (11, 12)
+
+
+def test_of_two_orders_of_moving_a_thing_the_shorter_is_taken() -> None:
+    """
+    r brings the box from 0 to 6 (1 m/s); s works a second at the box and stands at 0, 1 m/s. No link says who comes first.
+
+    If s works first (0-1), r starts at 1 and is there at 7. If r moves first (0-6), s works at 6 from 6 to 7. Both come to 7 s, but
+    working first costs s no way.
+    """
+    made = mission([Part("a", "r", [move("goal", "box")]), Part("b", "s", [work(1, at="box")])])
+    result = scheduled(
+        made, robots("r", speed=1, position=at(0)), robots("s", speed=1, position=at(0)), world=scene(box=0, goal=6)
+    )
+    assert result.makespan_s == 7
+    assert times(made, result)["b.0"] == (0, 1)
+
+
+def test_that_nothing_works_is_proven_by_trying_everything() -> None:
+    """Two roles that must be filled by different robots, each with its own half of what only one robot has enough energy for."""
+    pair = (Robot(id="big", remaining={"e": 10}), Robot(id="small", remaining={"e": 1}))
+    parts = [Part("p", "r", [work(1, uses={"e": 4})]), Part("q", "r", [work(1, uses={"e": 4})])]
+    made = mission(parts, [("p", "q", "different_robot")])
+    result = scheduled(made, robots("r", robots=pair))
+    assert (result.status, result.certificate.claim, result.certificate.method) == (
+        "infeasible",
+        "proven",
+        "enumeration",
+    )
+    assert result.reasons[0].rule == "no_schedule"
+
+
+def test_nothing_is_solved_where_time_is_up_or_somebody_says_stop() -> None:
+    """The greedy schedule is what is left, with its bound."""
+    made, kind, world = drained()
+    for control in (Control(time_limit_s=0), Control(stop=lambda: True)):
+        result = solved(made, kind, world=world, control=control)
+        assert (result.status, result.makespan_s) == ("feasible", 41)
+        assert result.certificate.method in {"critical_path", "load"}
+
+
+def test_progress_tells_best_and_bound() -> None:
+    made, kind, world = drained()
+    heard: list[Progress] = []
+    solved(made, kind, world=world, control=Control(report=heard.append))
+    told = [news for news in heard if news.best is not None]
+    assert told
+    assert all(news.bound is not None and news.bound <= news.best for news in told if news.best is not None)
+
+
+@pytest.mark.parametrize("name", ["cpsat", "auto"])
+def test_the_solver_is_not_loaded_where_a_bound_closes_the_case(name: str) -> None:
+    """In a process of its own: 4 and 2 s of work for one robot are 6 s, which is the load bound."""
+    program = (
+        "import sys\n"
+        "from tests.scheduling.instances import Part, mission, robots, work\n"
+        "from missiontree.mission.control import Control\n"
+        "from missiontree.mission.fleet import Fleet\n"
+        "from missiontree.mission.scene import Scene\n"
+        "from missiontree.scheduling import SCHEDULERS\n"
+        "made = mission([Part('a', 'r', [work(4)]), Part('b', 'r', [work(2)])])\n"
+        f"result = SCHEDULERS[{name!r}](made.tree, made.alternative, Fleet((robots('r'),)), Scene(), Control())\n"
+        "print(result.status, result.makespan_s, 'ortools' in sys.modules)"
+    )
+    root = Path(__file__).parents[3]
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=root)
+    assert done.stdout.split() == ["optimal", "6.0", "False"]
+
+
+def test_auto_gives_the_same_every_time() -> None:
+    made, kind, world = five_stops()
+    assert scheduled(made, kind, world=world, name="auto") == scheduled(made, kind, world=world, name="auto")
