@@ -1448,6 +1448,25 @@ def proof_of_the_merely_feasible(plan: Plan) -> Iterator[Plan]:
         yield replace(plan, schedules=tuple(plans))
 
 
+@breaks("solver_word_unfounded")
+def a_solver_s_word_for_something_else(plan: Plan) -> Iterator[Plan]:
+    assert plan.ranking is not None
+    word = replace(plan.ranking.certificate, claim="solver_word", method="cp_sat")
+    yield replace(plan, ranking=replace(plan.ranking, status="partial", certificate=word))
+    for place, schedule in schedules(plan):
+        certificate = replace(schedule.certificate, claim="solver_word", method="cp_sat", bound=None)
+        yield with_schedule(plan, place, status="feasible", certificate=certificate)
+
+
+@breaks("claim_unfounded")
+def a_solver_s_word_called_a_bound(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        certificate = replace(schedule.certificate, claim="bounded", method="cp_sat")
+        yield with_schedule(plan, place, status="feasible", certificate=certificate)
+        certificate = replace(schedule.certificate, claim="solver_word", method="critical_path")
+        yield with_schedule(plan, place, status="feasible", certificate=certificate)
+
+
 @breaks("claim_unfounded")
 def proof_by_magic(plan: Plan) -> Iterator[Plan]:
     """Every certificate, and a schedule that is called optimal by a method that nobody knows."""

@@ -39,6 +39,7 @@ def made(
     k: int = 4,
     allocator: str = "exact",
     estimator: Estimator | None = None,
+    scheduler: str = "greedy",
 ) -> Plan:
     """The plan that missiontree makes of a tree."""
     grounding = ground(tree, brief, estimator)
@@ -46,7 +47,7 @@ def made(
     ranking = allocator_for(allocator, brief.aim)(flat, brief.fleet, brief.weights, k, Control())
     scene = brief.world.extended(tree.entities)
     schedules = tuple(
-        SCHEDULERS["greedy"](grounding.tree, alternative, brief.fleet, scene, Control(), brief.terms)
+        SCHEDULERS[scheduler](grounding.tree, alternative, brief.fleet, scene, Control(), brief.terms)
         for alternative in ranking.alternatives
     )
     complete = ranking.status == "exact" and ranking.certificate.bound is None and not brief.diverse

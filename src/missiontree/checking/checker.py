@@ -146,6 +146,7 @@ RULES: tuple[Rule, ...] = (
     makespan.bound_above_makespan,
     makespan.optimality_unfounded,
     makespan.schedule_certificate_unfounded,
+    makespan.solver_word_unfounded,
     proofs.claim_unfounded,
 )
 """Every rule, in the order of its findings. The name of the function is the code of the rule."""

@@ -51,6 +51,25 @@ def optimality_unfounded(case: Case) -> Iterator[Fault]:
             )
 
 
+def solver_word_unfounded(case: Case) -> Iterator[Fault]:
+    """Something else than the bound of a schedule that works is claimed as a solver's word, or it has no bound."""
+    ranking = case.plan.ranking
+    certificates = [("the ranking", ranking.certificate)] if ranking is not None else []
+    certificates += [(f"alternative {one.rank}", one.certificate) for one in (ranking.alternatives if ranking else ())]
+    certificates += [
+        (f"schedule {schedule.rank}", schedule.certificate)
+        for schedule in case.plan.schedules
+        if schedule.status != "feasible" or schedule.certificate.bound is None
+    ]
+    for about, certificate in certificates:
+        if certificate.claim == "solver_word":
+            yield Fault(
+                f"what is claimed of {about} is called a solver's word; only the bound of a schedule that works can be.",
+                found="solver_word",
+                needed="proven, bounded or unproven",
+            )
+
+
 def schedule_certificate_unfounded(case: Case) -> Iterator[Fault]:
     """A schedule that is only feasible, or unknown, carries a proof; one called infeasible carries none."""
     for schedule in case.plan.schedules:

@@ -6,13 +6,26 @@ BY_AIM = frozenset({"dinkelbach", "bottleneck", "team_partition"})
 RANKING_PROOFS = BY_AIM | {"lazy_k_best", "branch_and_bound", "pool", "enumeration", "algorithm_1", "least_use"}
 """How alternatives are ranked, and shown to be none."""
 
-BOUND_PROOFS = frozenset({"critical_path", "load"})
+BOUND_PROOFS = frozenset({"critical_path", "load", "second_formulation", "enumeration"})
 """Why no schedule is shorter."""
 
 IMPOSSIBILITY_PROOFS = frozenset(
-    {"precedence", "staffing", "overlap", "holding", "reachability", "budget_bound", "deadline_bound"}
+    {
+        "precedence",
+        "staffing",
+        "overlap",
+        "holding",
+        "reachability",
+        "budget_bound",
+        "deadline_bound",
+        "second_formulation",
+        "enumeration",
+    }
 )
 """Why there is no schedule."""
 
-SEARCHES = frozenset({"serial_generation"})
+SEARCHES = frozenset({"serial_generation", "cp_sat"})
 """How schedules are looked for; such a method proves nothing."""
+
+SOLVERS = frozenset({"cp_sat"})
+"""Whose word may stand behind a bound that is claimed as a solver's word, and behind no other claim."""

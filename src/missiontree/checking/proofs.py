@@ -10,10 +10,13 @@ from missiontree.checking.clock import TOLERANCE, shown, tick
 from missiontree.checking.fault import Fault
 from missiontree.checking.haunts import ANYWHERE, Haunts
 from missiontree.checking.lower_bound import least_makespan
-from missiontree.checking.methods import BOUND_PROOFS, IMPOSSIBILITY_PROOFS, RANKING_PROOFS, SEARCHES
+from missiontree.checking.methods import BOUND_PROOFS, IMPOSSIBILITY_PROOFS, RANKING_PROOFS, SEARCHES, SOLVERS
 from missiontree.checking.timetable import Timetable
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.schedule import Schedule
+
+PLAIN_BOUNDS = frozenset({"critical_path", "load"})
+"""Methods that the checker's own bound is as strong as, where nothing but durations and order count; a search may show more."""
 
 MOST_ROLES = 20
 """Roles of one robot, beyond which it is not asked how they are ordered."""
@@ -30,7 +33,8 @@ def claim_unfounded(case: Case) -> Iterator[Fault]:
             )
     for timetable in case.timetables:
         claimed, own = claimed_bound(timetable.schedule), least_makespan(case, timetable)
-        if own is not None and claimed > own + TOLERANCE and _own_is_as_strong(case, timetable):
+        documented = timetable.schedule.certificate.method in PLAIN_BOUNDS
+        if documented and own is not None and claimed > own + TOLERANCE and _own_is_as_strong(case, timetable):
             yield Fault(
                 f"schedule {timetable.schedule.rank} claims that none is shorter than {shown(claimed)}; "
                 f"all that its actions and their order show is {shown(own)}.",
@@ -56,7 +60,10 @@ def _certificates(case: Case) -> Iterator[tuple[str, Certificate, frozenset[str]
             yield f"alternative {alternative.rank}", alternative.certificate, RANKING_PROOFS
     for schedule in case.plan.schedules:
         by_status = {"infeasible": IMPOSSIBILITY_PROOFS, "unknown": SEARCHES | BOUND_PROOFS}
-        yield f"schedule {schedule.rank}", schedule.certificate, by_status.get(schedule.status, BOUND_PROOFS)
+        methods = by_status.get(schedule.status, BOUND_PROOFS)
+        if schedule.certificate.claim == "solver_word" and schedule.status == "feasible":
+            methods = SOLVERS
+        yield f"schedule {schedule.rank}", schedule.certificate, methods
 
 
 def _own_is_as_strong(case: Case, timetable: Timetable) -> bool:

@@ -66,12 +66,30 @@ class Timetable:
 
     @cached_property
     def by_robot(self) -> dict[str, tuple[Deed, ...]]:
-        """What every robot does, in order of time; actions that take no time stand in an order that precedence allows."""
-        place = self._place_in_order
+        """
+        What every robot does, in order of time.
+
+        Actions that take no time stand, at one moment, after what ends a role there and before what begins a longer one, since a robot
+        is held from the first to the last action of a role; and else in an order that precedence allows.
+        """
+        place, held = self._place_in_order, self._held
         robots: dict[str, list[Deed]] = {}
-        for deed in sorted(self.deeds.values(), key=lambda deed: (deed.start, deed.end, place[deed.leaf])):
+
+        def when(deed: Deed) -> tuple[int, int, int, int, int]:
+            return (deed.start, deed.end, *held[deed.robot, deed.action.role], place[deed.leaf])
+
+        for deed in sorted(self.deeds.values(), key=when):
             robots.setdefault(deed.robot, []).append(deed)
         return {robot: tuple(deeds) for robot, deeds in sorted(robots.items())}
+
+    @cached_property
+    def _held(self) -> dict[tuple[str, int], tuple[int, int]]:
+        """From when to when each robot does something of each role."""
+        held: dict[tuple[str, int], tuple[int, int]] = {}
+        for deed in self.deeds.values():
+            start, end = held.get((deed.robot, deed.action.role), (deed.start, deed.end))
+            held[deed.robot, deed.action.role] = min(start, deed.start), max(end, deed.end)
+        return held
 
     def surely_before(self, first: int, second: int) -> bool:
         """Whether precedence and roles put one selected leaf before another."""
