@@ -18,6 +18,7 @@ def test_words_alone_take_the_papers_team() -> None:
     assert request.brief.fleet.types[0].id == "mobile_scooter"
     assert request.brief.scene is None
     assert (request.k, request.allocator, request.model, request.seed) == (4, "exact", "offline", 0)
+    assert request.scheduler == "greedy"
     assert request.sources == ("fleet the paper's team",)
 
 

@@ -286,3 +286,23 @@ def test_the_deadline_of_a_mission_holds_for_words_too(tmp_path: Path) -> None:
     assert plan(file).outcome == "delivered"
     file.write_text("mission: Reunite mom with her lost child\ndeadline_s: 90\n", encoding="utf-8")
     assert (plan(file).outcome, plan(file).reasons[0].rule) == ("cannot_be_done", "deadline_missed")
+
+
+@pytest.mark.parametrize("scheduler", ["cpsat", "auto"])
+def test_every_scheduler_gives_a_checked_plan_that_is_no_longer(scheduler: str) -> None:
+    """The site's own mission: no schedule is longer than the greedy one, and the plan says who made it."""
+    greedy, made = (plan(sample_file("site"), scheduler=name) for name in ("greedy", scheduler))
+    assert check(made) == ()
+    assert made.provenance.scheduler == scheduler
+    pairs = list(zip(greedy.schedules, made.schedules, strict=True))
+    assert all(ours.makespan_s <= its.makespan_s for its, ours in pairs)
+    assert all(ours.status == "optimal" for _, ours in pairs)
+
+
+def test_a_mission_file_names_the_scheduler(tmp_path: Path) -> None:
+    file = tmp_path / "mission.yaml"
+    file.write_text("mission: Reunite mom with her lost child\nscheduler: auto\n", encoding="utf-8")
+    assert plan(file).provenance.scheduler == "auto"
+    file.write_text("mission: Reunite mom with her lost child\nscheduler: fastest\n", encoding="utf-8")
+    with pytest.raises(InputError, match="there is no scheduler 'fastest'"):
+        plan(file)

@@ -38,6 +38,7 @@ ARGUMENTS: dict[str, tuple[tuple[type, ...], str]] = {
     "methods": ((list, tuple), "a list of files of methods"),
     "k": ((int,), "a whole number of at least 1"),
     "allocator": ((str,), "the name of an allocator"),
+    "scheduler": ((str,), "the name of a scheduler"),
     "model": ((str, Callable), "offline, recorded:<file>, PROVIDER:NAME, or a chat model"),  # type: ignore[dict-item]
     "base_url": ((str,), "the address of an endpoint, such as http://localhost:8000/v1"),
     "budgets": ((Budgets,), "Budgets"),
@@ -66,6 +67,8 @@ class Request:
         How many alternatives are asked for.
     allocator
         Name of the method of allocation.
+    scheduler
+        Name of the method of scheduling.
     model
         Name of the author, or a chat model of the caller's own.
     base_url
@@ -87,6 +90,7 @@ class Request:
     methods: tuple[Path, ...] = ()
     k: int = DEFAULT_K
     allocator: str = "exact"
+    scheduler: str = "greedy"
     model: str | ChatModel = "offline"
     base_url: str = ""
     budgets: Budgets = Budgets()
@@ -139,7 +143,7 @@ def request_from(
     project
         A mission file whose fleet, scene, routines and methods are taken up when the mission is given in words.
     options
-        ``k``, ``allocator``, ``model``, ``base_url``, ``budgets``, ``seed``; None stands for "not given".
+        ``k``, ``allocator``, ``scheduler``, ``model``, ``base_url``, ``budgets``, ``seed``; None stands for "not given".
 
     Raises
     ------
@@ -205,6 +209,7 @@ def request_from(
     named: dict[str, Any] = {
         "k": file.k,
         "allocator": file.allocator,
+        "scheduler": file.scheduler,
         "model": file.model or "offline",
         "seed": file.seed,
     }

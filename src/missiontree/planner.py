@@ -71,6 +71,7 @@ def plan(
     diverse: bool | None = None,
     k: int | None = None,
     allocator: str | None = None,
+    scheduler: str | None = None,
     model: str | ChatModel | None = None,
     base_url: str | None = None,
     budgets: Budgets | None = None,
@@ -115,6 +116,8 @@ def plan(
         How many alternatives are asked for, at least 1. Default 4.
     allocator
         ``exact`` (default), ``pruned``, ``pruned_as_printed`` or ``exhaustive``. Those that prune rank by sums alone.
+    scheduler
+        ``greedy`` (default), ``cpsat``, or ``auto``: greedy, then constraint programming where that is quick.
     model
         ``offline`` (default), ``recorded:<file>`` to replay a transcript, a language model such as ``openai:NAME`` (see
         :mod:`missiontree.llm.opening`), or a chat model of your own: anything that fits :class:`missiontree.llm.chat.ChatModel`.
@@ -153,6 +156,7 @@ def plan(
         diverse=diverse,
         k=k,
         allocator=allocator,
+        scheduler=scheduler,
         model=model,
         base_url=base_url,
         budgets=budgets,
@@ -163,13 +167,13 @@ def plan(
 
 def plan_request(request: Request, control: Control) -> Plan:
     """Plan a request that is already gathered; see :func:`plan`."""
-    check_allocator(request)
+    check_methods(request)
     return plan_authored(request, author(request, control), control)
 
 
-def check_allocator(request: Request) -> None:
+def check_methods(request: Request) -> None:
     """
-    Refuse, before anybody is asked anything, an allocator that there is not, or that cannot reach the mission's aim.
+    Refuse, before anybody is asked anything, an allocator or a scheduler that there is not, or an allocator that cannot reach the aim.
 
     Raises
     ------
@@ -177,6 +181,8 @@ def check_allocator(request: Request) -> None:
         With those that can be taken.
     """
     allocator_for(request.allocator, request.brief.aim)
+    if request.scheduler not in SCHEDULERS:
+        raise InputError(f"there is no scheduler {request.scheduler!r}", accepted=", ".join(SCHEDULERS))
 
 
 def plan_authored(request: Request, authored: Authored, control: Control) -> Plan:
@@ -255,7 +261,7 @@ def staff_and_schedule(
     k, but drawing goes on until some alternative has a schedule.
     """
     brief, tree, wanted = request.brief, grounding.tree, request.k
-    schedule_with, allocate = SCHEDULERS["greedy"], allocator_for(request.allocator, brief.aim)
+    schedule_with, allocate = SCHEDULERS[request.scheduler], allocator_for(request.allocator, brief.aim)
     flat = flatten(tree, brief.fleet, brief.weights, brief.terms)
     done: dict[object, Schedule] = {}
     while True:
@@ -307,7 +313,7 @@ def _told(
             transcript=authored.transcript,
             reading=authored.reading,
             allocator=request.allocator if ranking else "",
-            scheduler="greedy" if schedules else "",
+            scheduler=request.scheduler if schedules else "",
             seed=request.seed,
             versions={"missiontree": __version__},
             spent=authored.spent,

@@ -74,6 +74,7 @@ def test_a_bad_file_is_named_with_what_is_wrong(
         (["plan", "Find the cat", "-k", "0"], 2, "at least 1"),
         (["plan", "Find the cat", "-k", "many"], 2, "a whole number is needed"),
         (["plan", "Find the cat", "--allocator", "best"], 2, "exact, pruned"),
+        (["plan", "Find the cat", "--scheduler", "best"], 2, "greedy, cpsat, auto"),
         (["plan", "Find the cat", "--model", "oracle"], 2, "offline"),
         (["plan", "Find the cat", "--model", "recorded:none.jsonl"], 2, "none.jsonl"),
         (["plan", "Find the cat", "--time-limit", "-1"], 2, "at least 0"),

@@ -39,6 +39,7 @@ def gather(
     seed: int | None,
     base_url: str | None = None,
     budgets: Budgets | None = None,
+    scheduler: str | None = None,
 ) -> Request:
     """
     Gather a request from the command line, the mission file and the folder one stands in.
@@ -69,6 +70,7 @@ def gather(
         project=project,
         k=k,
         allocator=allocator,
+        scheduler=scheduler,
         model=model,
         base_url=base_url,
         budgets=budgets,

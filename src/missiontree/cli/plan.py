@@ -39,6 +39,15 @@ def command(
         str | None,
         typer.Option("--allocator", metavar="NAME", help="exact (default), pruned, pruned_as_printed or exhaustive."),
     ] = None,
+    scheduler: Annotated[
+        str | None,
+        typer.Option(
+            "--scheduler",
+            metavar="NAME",
+            help="greedy (default): at once; cpsat: as short as possible, proven where it can be; auto: greedy, then cpsat "
+            "where that is quick.",
+        ),
+    ] = None,
     model: options.Model = None,
     base_url: options.BaseUrl = None,
     replay: options.Replay = None,
@@ -89,6 +98,7 @@ def command(
         diverse=diverse,
         k=k,
         allocator=allocator,
+        scheduler=scheduler,
         model=author_named(model, replay),
         base_url=base_url,
         budgets=budgets_from(max_turns, max_tokens, max_seconds),
@@ -100,9 +110,9 @@ def command(
     refuse_clashing({"--out": out, "--record": record, "--report": report})
     asked = Asked(report=report)
     refuse_impossible(asked)
-    from missiontree.planner import check_allocator, plan_authored
+    from missiontree.planner import check_methods, plan_authored
 
-    check_allocator(request)
+    check_methods(request)
     if not (quiet or as_json):
         for source in request.sources:
             remark(f"using {source}", colour)

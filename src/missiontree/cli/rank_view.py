@@ -34,7 +34,12 @@ WHOSE: dict[Whose, str] = {
     "mission": "the whole mission",
     "stock": "stock of the scene",
 }
-CLAIMS = {"proven": "proven", "bounded": "feasible, rank not proven", "unproven": "not proven"}
+CLAIMS = {
+    "proven": "proven",
+    "bounded": "feasible, rank not proven",
+    "solver_word": "by the solver's word",
+    "unproven": "not proven",
+}
 
 
 class Told(NamedTuple):

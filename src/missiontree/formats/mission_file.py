@@ -48,6 +48,8 @@ class MissionFile(Value):
         Who authors the tree: ``offline`` or the name of a language model. Default: as the environment says, else ``offline``.
     allocator
         Method of allocation, default ``exact``.
+    scheduler
+        Method of scheduling: ``greedy`` (default), ``cpsat``, or ``auto``.
     seed
         Seed of everything random, default 0.
     without
@@ -82,6 +84,7 @@ class MissionFile(Value):
     check_kinds: bool = True
     model: str = ""
     allocator: Id = "exact"
+    scheduler: Id = "greedy"
     seed: int = 0
     without: tuple[Id, ...] = ()
     require: tuple[Id, ...] = ()

@@ -214,6 +214,10 @@ def _known(schedule: Schedule) -> str:
     if schedule.status == "optimal":
         return f"optimal, confirmed by {schedule.certificate.method.replace('_', ' ')}"
     bound = schedule.certificate.bound
+    if bound is not None and schedule.certificate.claim == "solver_word":
+        if bound >= schedule.makespan_s:
+            return "optimal by the solver's word, not confirmed"
+        return f"feasible, no plan is below {seconds(bound)} by the solver's word"
     return "feasible" if bound is None else f"feasible, no plan can be below {seconds(bound)}"
 
 
@@ -244,13 +248,19 @@ def alternatives_table(plan: Plan) -> Table:
     return table
 
 
+def shortest_by_word(schedule: Schedule) -> bool:
+    """Whether a solver says that no schedule is shorter, and nothing confirms it."""
+    certificate = schedule.certificate
+    return certificate.claim == "solver_word" and (certificate.bound or 0.0) >= schedule.makespan_s
+
+
 def _verdict(alternative: Alternative, schedule: Schedule | None) -> str:
     rank = "rank proven" if alternative.certificate.claim == "proven" else "rank unproven"
     if schedule is None:
         return rank
     return {
         "optimal": f"{rank}\nshortest, proven",
-        "feasible": f"{rank}\nfeasible",
+        "feasible": f"{rank}\n{'shortest by solver' if shortest_by_word(schedule) else 'feasible'}",
         "infeasible": f"{rank}\ncannot be scheduled",
         "unknown": f"{rank}\nno schedule found",
     }[schedule.status]

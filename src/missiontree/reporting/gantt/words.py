@@ -37,6 +37,9 @@ def summary(plan: Plan, schedule: Schedule, content: Content) -> str:
     method, bound = schedule.certificate.method.replace("_", " "), schedule.certificate.bound
     if schedule.status == "optimal":
         parts.append(f"no schedule is shorter, proven by {method}")
+    elif bound is not None and schedule.certificate.claim == "solver_word":
+        least = in_words(bound, least=60 if makespan_s >= 600 else 600)
+        parts.append(f"none is shorter than {least} by the solver's word ({method})")
     elif bound is not None:
         parts.append(f"none can be shorter than {in_words(bound, least=60 if makespan_s >= 600 else 600)}, by {method}")
     return " · ".join(parts)

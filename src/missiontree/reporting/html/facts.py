@@ -143,7 +143,8 @@ def makespan_note(schedule: Schedule) -> str:
     if schedule.status == "optimal":
         return "none is shorter"
     bound = schedule.certificate.bound
-    return "" if bound is None else f"none is below {lasts(bound)}"
+    word = " by the solver's word" if schedule.certificate.claim == "solver_word" else ""
+    return "" if bound is None else f"none is below {lasts(bound)}{word}"
 
 
 def _travel(schedule: Schedule) -> str:

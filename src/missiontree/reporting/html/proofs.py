@@ -11,7 +11,12 @@ from missiontree.reporting.html.quantity import number
 from missiontree.reporting.html.times import lasts
 
 MOST_PROOFS = 80
-_CLAIMS: dict[Claim, str] = {"proven": "proven", "bounded": "bounded", "unproven": "not proven"}
+_CLAIMS: dict[Claim, str] = {
+    "proven": "proven",
+    "bounded": "bounded",
+    "solver_word": "by the solver's word",
+    "unproven": "not proven",
+}
 
 
 @dataclass(frozen=True, slots=True)

@@ -238,10 +238,15 @@ def _scheduled_words(schedule: Schedule | None) -> str:
         return ""
     return {
         "optimal": ", shortest, proven",
-        "feasible": ", feasible, perhaps not shortest",
+        "feasible": ", shortest by the solver's word" if _by_word(schedule) else ", feasible, perhaps not shortest",
         "infeasible": ", cannot be scheduled",
         "unknown": ", no schedule found",
     }[schedule.status]
+
+
+def _by_word(schedule: Schedule) -> bool:
+    certificate = schedule.certificate
+    return certificate.claim == "solver_word" and (certificate.bound or 0.0) >= schedule.makespan_s
 
 
 def _choices(plan: Plan, alternative: Alternative) -> Iterator[str]:
