@@ -1,0 +1,355 @@
+"""
+The least makespan of small missions on a line, by trying everything: an oracle that shares no code with the schedulers.
+
+Actions (joint ones together) are put down one after the other, each as early as it can be after what stands there already; every order
+and every choice of robots is tried. Some best schedule comes about that way: put its actions down in order of their starts.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import product
+
+from benchmarks.schedule_cases import ScheduleCase
+from missiontree.mission.grounded import Action
+
+SLACK = 1e-6
+MOST_STEPS = 6_000
+
+
+class TooMuchError(Exception):
+    """More is to be tried than is worth it."""
+
+
+@dataclass(slots=True)
+class _World:
+    """What stands there so far."""
+
+    start: dict[int, int] = field(default_factory=dict)
+    end: dict[int, int] = field(default_factory=dict)
+    robot_of: dict[int, str] = field(default_factory=dict)  # by role
+    spot: dict[str, float | None] = field(default_factory=dict)
+    free: dict[str, int] = field(default_factory=dict)
+    held: dict[str, int] = field(default_factory=dict)  # by robot: its role
+    thing: dict[str, float | None] = field(default_factory=dict)
+    since: dict[str, int] = field(default_factory=dict)
+    needed: dict[str, int] = field(default_factory=dict)
+    spent: dict[tuple[str, str], float] = field(default_factory=dict)
+
+    def copy(self) -> _World:
+        """A world that may go another way."""
+        return _World(
+            dict(self.start),
+            dict(self.end),
+            dict(self.robot_of),
+            dict(self.spot),
+            dict(self.free),
+            dict(self.held),
+            dict(self.thing),
+            dict(self.since),
+            dict(self.needed),
+            dict(self.spent),
+        )
+
+
+class Oracle:
+    """
+    One case.
+
+    Parameters
+    ----------
+    case
+        A mission whose tree has no XOR.
+    """
+
+    def __init__(self, case: ScheduleCase) -> None:
+        self.case, self.tree, self.fleet = case, case.tree, case.fleet
+        self.leaves = [index for index, node in enumerate(case.tree.nodes) if node.action is not None]
+        self.roles: dict[int, list[int]] = {}
+        for leaf in self.leaves:
+            self.roles.setdefault(self._action(leaf).role, []).append(leaf)
+        self.units: list[list[int]] = []
+        joint: dict[int, list[int]] = {}
+        for leaf in self.leaves:
+            sync = self._action(leaf).sync
+            if sync is None:
+                self.units.append([leaf])
+            elif sync in joint:
+                joint[sync].append(leaf)
+            else:
+                joint[sync] = [leaf]
+                self.units.append(joint[sync])
+        self.before: dict[int, set[int]] = {leaf: set() for leaf in self.leaves}
+        self.until: dict[int, set[int]] = {}
+        self.same: list[set[int]] = []
+        self.different: list[tuple[set[int], set[int]]] = []
+        self.best: int | None = None
+        self.steps = 0
+        self._read_links()
+
+    def _read_links(self) -> None:
+        for link in self.case.tree.links:
+            first, second = self._below(link.first), self._below(link.second)
+            roles = [{self._action(leaf).role for leaf in side} for side in (first, second)]
+            if link.kind == "precedence":
+                for leaf in second:
+                    self.before[leaf] |= set(first)
+            elif link.kind == "until":
+                for leaf in first:
+                    if self._action(leaf).open_ended:
+                        self.until.setdefault(leaf, set()).update(second)
+            elif link.kind == "same_robot":
+                self.same.append(roles[0] | roles[1])
+            else:
+                self.different.append((roles[0], roles[1]))
+
+    def least(self) -> int | None:
+        """Least makespan in milliseconds; None if nothing works."""
+        own_ends = [sorted(self._own_ends(leaf)) for leaf in sorted(self.until)]
+        for chosen in product(*own_ends):
+            latest: dict[int, list[int]] = {}
+            for open_ended, one in zip(sorted(self.until), chosen, strict=True):
+                latest.setdefault(one, []).append(open_ended)
+            self._go_on(self._begin(), latest, 0)
+        return self.best
+
+    def _own_ends(self, leaf: int) -> set[int]:
+        """Actions with an end of their own that set the end of an open-ended one."""
+        seen, stack = {leaf}, [leaf]
+        while stack:
+            fresh = self.until.get(stack.pop(), set()) - seen
+            seen |= fresh
+            stack += fresh
+        return {one for one in seen if one not in self.until}
+
+    def _action(self, leaf: int) -> Action:
+        return self.tree.action(leaf)
+
+    def _below(self, node: int) -> list[int]:
+        found = []
+        for leaf in self.leaves:
+            above = leaf
+            while above not in (node, -1):
+                above = self.tree.nodes[above].parent
+            if above == node:
+                found.append(leaf)
+        return found
+
+    def _begin(self) -> _World:
+        world = _World()
+        for kind in self.fleet.types:
+            for robot in kind.members:
+                world.spot[robot.id] = None if robot.position is None else robot.position.x_m
+                world.free[robot.id] = 0
+        for entity in self.case.scene.entities:
+            world.thing[entity.id] = None if entity.position is None else entity.position.x_m
+        return world
+
+    def _go_on(self, world: _World, latest: dict[int, list[int]], sorted_from: int) -> None:
+        self.steps += 1
+        if self.steps > MOST_STEPS:
+            raise TooMuchError
+        if len(world.start) == len(self.leaves):
+            makespan = max(world.end.values())
+            if (
+                len(world.end) == len(self.leaves)
+                and self._whole(world)
+                and (self.best is None or makespan < self.best)
+            ):
+                self.best = makespan
+            return
+        for unit in self.units:
+            if unit[0] in world.start or not self._may_begin(world, unit, latest):
+                continue
+            for robots in self._staffings(world, unit):
+                after = self._put(world, unit, robots, latest, sorted_from)
+                if after is not None:
+                    self._go_on(after, latest, 0 if self.until else after.start[unit[0]])
+
+    def _may_begin(self, world: _World, unit: list[int], latest: dict[int, list[int]]) -> bool:
+        for leaf in unit:
+            own = self.roles[self._action(leaf).role]
+            earlier = own[own.index(leaf) - 1] if own.index(leaf) else None
+            if earlier is not None and earlier not in world.end:
+                return False
+            if any(one not in world.end for one in self.before[leaf]):
+                return False
+            if any(one not in world.start for one in latest.get(leaf, ())):
+                return False
+        return True
+
+    def _staffings(self, world: _World, unit: list[int]) -> Iterator[dict[int, str]]:
+        """Robots by role, for all roles of a unit."""
+        options = []
+        for leaf in unit:
+            action = self._action(leaf)
+            if action.role in world.robot_of:
+                robots = [world.robot_of[action.role]]
+                if world.held.get(robots[0]) not in (None, action.role):
+                    return
+            else:
+                robots = [r.id for r in self.fleet.by_id[action.robot_type].members if r.id not in world.held]
+            options.append([(action.role, robot) for robot in robots])
+        for chosen in product(*options):
+            if len({robot for _, robot in chosen}) == len(chosen):
+                binding = world.robot_of | dict(chosen)
+                if self._staffed(binding):
+                    yield dict(chosen)
+
+    def _staffed(self, binding: dict[int, str]) -> bool:
+        for roles in self.same:
+            if len({binding[role] for role in roles if role in binding}) > 1:
+                return False
+        for first, second in self.different:
+            mine, its = ({binding[role] for role in side if role in binding} for side in (first, second))
+            if mine & its:
+                return False
+        teams = [(self.tree.roles[role].team, robot) for role, robot in binding.items()]
+        teams = [one for one in teams if one[0] is not None]
+        if len(set(teams)) < len(teams):
+            return False
+        for kind in self.fleet.types:
+            used = {robot for robot in binding.values() if self.fleet.type_of[robot] is kind}
+            if kind.max_in_use is not None and len(used) > kind.max_in_use:
+                return False
+        return True
+
+    def _whole(self, world: _World) -> bool:
+        busy = set(world.robot_of.values())
+        return all(name in busy or name in self.fleet.by_id for name in self.case.terms.require)
+
+    def _put(
+        self, world: _World, unit: list[int], robots: dict[int, str], latest: dict[int, list[int]], sorted_from: int
+    ) -> _World | None:
+        start, length, ways = self._earliest(world, unit, robots, latest)
+        end = start + length
+        if start < sorted_from or (self.best is not None and end >= self.best):
+            return None
+        after = world.copy()
+        for leaf in unit:
+            action = self._action(leaf)
+            robot = robots[action.role]
+            if not self._spend(after, robot, action, ways[leaf][1]):
+                return None
+            after.robot_of[action.role] = robot
+            after.start[leaf] = start
+            after.held[robot] = action.role
+        self._move(after, unit, robots, start, end)
+        if unit[0] not in self.until:
+            for leaf in unit:
+                self._over(after, leaf, end)
+        self._settle(after)
+        if self.best is not None and max(after.end.values(), default=0) >= self.best:
+            return None
+        return after
+
+    def _earliest(
+        self, world: _World, unit: list[int], robots: dict[int, str], latest: dict[int, list[int]]
+    ) -> tuple[int, int, dict[int, tuple[int, float]]]:
+        """Start and length in milliseconds, and the ways."""
+        actions = {leaf: self._action(leaf) for leaf in unit}
+        start, length = 0, 0
+        ways: dict[int, tuple[int, float]] = {}
+        for leaf, action in actions.items():
+            robot = robots[action.role]
+            ways[leaf] = self._way(world, robot, action)
+            start = max([start, world.free[robot], *(world.end[one] for one in self.before[leaf])])
+            if action.moves:
+                length = max(length, ways[leaf][0])
+            else:
+                start = max(start, world.free[robot] + ways[leaf][0])
+                length = max(length, _ms(action.duration_s))
+            if action.at is not None:
+                start = max(start, world.since.get(action.at, 0))
+            for name in action.brings:
+                start = max(start, world.since.get(name, 0), world.needed.get(name, 0))
+        if unit[0] in self.until:
+            length = 0
+        for leaf in unit:
+            for one in latest.get(leaf, ()):
+                start = max(start, world.start[one] + 1 - length)
+        return start, length, ways
+
+    def _move(self, world: _World, unit: list[int], robots: dict[int, str], start: int, end: int) -> None:
+        """Robots and things are elsewhere afterwards."""
+        actions = [self._action(leaf) for leaf in unit]
+        targets = [None if action.at is None else world.thing[action.at] for action in actions]
+        for action, target in zip(actions, targets, strict=True):
+            if action.at is not None:
+                world.needed[action.at] = max(world.needed.get(action.at, 0), start if action.open_ended else end)
+            if action.moves or action.at is not None:
+                world.spot[robots[action.role]] = target
+            for name in action.brings:
+                world.thing[name], world.since[name] = target, end
+
+    def _settle(self, world: _World) -> None:
+        """Open-ended actions end when the last of what they last for does."""
+        changed = True
+        while changed:
+            changed = False
+            for leaf, others in self.until.items():
+                if leaf in world.start and leaf not in world.end and all(one in world.end for one in others):
+                    self._over(world, leaf, max([world.start[leaf], *(world.end[one] for one in others)]))
+                    changed = True
+
+    def _over(self, world: _World, leaf: int, end: int) -> None:
+        action = self._action(leaf)
+        robot = world.robot_of[action.role]
+        world.end[leaf] = end
+        world.free[robot] = max(world.free[robot], end)
+        if leaf == self.roles[action.role][-1]:
+            del world.held[robot]
+
+    def _way(self, world: _World, robot: str, action: Action) -> tuple[int, float]:
+        """Milliseconds and metres."""
+        nominal = _ms(action.duration_s) if action.moves else 0
+        if action.at is None and not action.moves:
+            return 0, 0.0
+        origin, goal = world.spot[robot], None if action.at is None else world.thing[action.at]
+        if goal is None or origin is None:
+            return nominal, 0.0
+        metres = abs(goal - origin)
+        speed = self.fleet.type_of[robot].limits.get("max_speed_mps")
+        if speed is None:
+            return nominal, metres
+        caps = [self.case.scene.by_id[name].max_speed_mps for name in action.brings]
+        return _ms(metres / min([speed, *(cap for cap in caps if cap is not None)])), metres
+
+    def _spend(self, world: _World, robot: str, action: Action, metres: float) -> bool:
+        kind = self.fleet.type_of[robot]
+        use = dict(action.uses)
+        for name, amount in kind.uses_per_m.items():
+            use[name] = use.get(name, 0.0) + amount * metres
+        for name, amount in use.items():
+            limits = (
+                (robot, kind.budget(self.fleet.robots[robot], name)),
+                (f"type {kind.id}", kind.total_limits.get(name)),
+                ("all", self.fleet.total_limits.get(name)),
+                ("stock", self.case.terms.stock.get(name)),
+            )
+            for whose, limit in limits:
+                spent = world.spent[whose, name] = world.spent.get((whose, name), 0.0) + amount
+                if limit is not None and spent > limit + SLACK:
+                    return False
+        return True
+
+
+def _ms(duration_s: float) -> int:
+    return math.ceil(duration_s * 1000 - 1e-6)
+
+
+def least_makespan(case: ScheduleCase) -> int | None:
+    """
+    Least makespan of a case in milliseconds; None if nothing works.
+
+    Raises
+    ------
+    TooMuchError
+        If there is too much to try.
+    """
+    return Oracle(case).least()
+
+
+__all__: Sequence[str] = ["Oracle", "TooMuchError", "least_makespan"]
