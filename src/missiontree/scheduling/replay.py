@@ -11,9 +11,11 @@ from dataclasses import replace
 from itertools import pairwise, permutations
 
 from missiontree.estimation.travel import Blocked
+from missiontree.scheduling.availability import away
 from missiontree.scheduling.board import Board
 from missiontree.scheduling.charging import charge
 from missiontree.scheduling.course import Course
+from missiontree.scheduling.deadlines import deadlines_missed
 from missiontree.scheduling.demand import Demands
 from missiontree.scheduling.mission_terms import terms_broken
 from missiontree.scheduling.placing import length
@@ -24,14 +26,16 @@ from missiontree.scheduling.trips import Trip
 
 
 def replay(problem: Problem, course: Course) -> Draft | None:
-    """The draft of a course; None if it contradicts itself, leads nowhere, or uses more than there is."""
+    """The draft of a course; None if it contradicts itself, leads nowhere, uses more than there is, or comes too late."""
     if not _may_fill(problem, course):
         return None
     try:
         draft = _Replay(problem, course).draft()
     except StuckError:
         return None
-    return None if draft is None or terms_broken(problem, draft.robot_of) else draft
+    if draft is None or terms_broken(problem, draft.robot_of) or away(problem, draft):
+        return None
+    return None if deadlines_missed(problem, draft) is not None else draft
 
 
 def _may_fill(problem: Problem, course: Course) -> bool:

@@ -11,7 +11,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from missiontree.mission.fleet import RobotType
+from missiontree.mission.fleet import Robot, RobotType
+from missiontree.mission.ticks import ticks, ticks_within
 from missiontree.scheduling.cpsat.placing import is_somewhere
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.trips import Spot
@@ -19,12 +20,14 @@ from missiontree.scheduling.trips import Spot
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """A robot: where it starts, what it has of each budget, whether it must take part."""
+    """A robot: where it starts, what it has of each budget, whether it must take part, when it comes and leaves (ticks)."""
 
     name: str
     start: Spot
     budget: Mapping[str, float]
     required: bool
+    since: int = 0
+    until: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,8 +86,8 @@ def _crew(problem: Problem, kind: RobotType, roles: Sequence[int]) -> Crew:
     class_of: dict[str, int] = {}
     for robot, start in zip(kind.members, problem.trips.starts(kind.id), strict=True):
         budget = {name: amount for name, amount in (dict(kind.limits) | dict(robot.remaining)).items() if name in used}
-        member = Member(robot.id, start, budget, robot.id in problem.required)
-        key = (start, tuple(sorted(budget.items())), robot.id if member.required else "")
+        member = Member(robot.id, start, budget, robot.id in problem.required, *presence(kind, robot))
+        key = (start, tuple(sorted(budget.items())), robot.id if member.required else "", member.since, member.until)
         alike = classes.setdefault(key, [])
         class_of[robot.id] = list(classes).index(key)
         if len(alike) < len(groups):
@@ -130,8 +133,16 @@ def met_at_once(problem: Problem, first: int, second: int) -> bool:
     return False
 
 
+def presence(kind: RobotType, robot: Robot) -> tuple[int, int | None]:
+    """When a robot comes and when it leaves, in ticks; None if it stays."""
+    since_s, until_s = kind.availability(robot)
+    return ticks(since_s), None if until_s is None else ticks_within(until_s)
+
+
 def matters_who(problem: Problem, crew: Crew) -> bool:
     """Whether it matters which robot of a crew without travel fills a role."""
+    if any(member.since or member.until is not None for member in crew.members):
+        return True
     if len(crew.members) == 1:
         return bool(crew.apart)
     if any(member.required for member in crew.members) or len(crew.groups) < len(crew.roles):

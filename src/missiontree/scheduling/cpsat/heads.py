@@ -78,7 +78,12 @@ def add_heads(model: Model, problem: Problem, crew: Crew, spans: Spans) -> Staff
     staff = Staff(model, problem, crew)
     staff.taking_part()
     staff.budgets()
-    for number in range(len(crew.members)):
+    for number, member in enumerate(crew.members):
+        for role in crew.roles:
+            fills = staff.fills[problem.staffing.group_of[role], number]
+            model.at_least(spans.start(role), Affine(None, member.since), 0, (fills,))
+            if member.until is not None:
+                model.at_least(Affine(None, member.until), spans.end(role), 0, (fills,))
         taken = [(role, staff.fills[problem.staffing.group_of[role], number]) for role in crew.roles]
         model.add(NoOverlap(tuple(spans.by(role, lit) for role, lit in taken if lit != model.false)))
     count_heads(model, crew, spans, crew.usable)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from missiontree.estimation.travel import Blocked
+from missiontree.mission.ticks import ticks
+from missiontree.scheduling.cpsat.crew import presence
 from missiontree.scheduling.cpsat.placing import is_somewhere
 from missiontree.scheduling.problem import Problem
-from missiontree.scheduling.ticks import ticks
 from missiontree.scheduling.trips import Spot
 
 
@@ -24,7 +25,8 @@ def horizon_of(problem: Problem) -> int:
         for leaf in leaves:
             if is_somewhere(graph.tree.action(leaf)):
                 own |= problem.places.of[leaf]
-    total = len(graph.until)
+    total = len(graph.until) + max(graph.release.values(), default=0)
+    total += max((presence(kind, robot)[0] for kind in problem.fleet.types for robot in kind.members), default=0)
     for leaves in graph.activities:
         total += max(_way(problem, leaf, spots) for leaf in leaves)
         total += max(ticks(graph.tree.action(leaf).duration_s) for leaf in leaves)

@@ -9,6 +9,7 @@ from missiontree.mission.certificate import Certificate
 from missiontree.mission.control import Control, Progress
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.ticks import seconds
 from missiontree.scheduling.cpsat.formulation import Formulation
 from missiontree.scheduling.cpsat.hint import hint
 from missiontree.scheduling.cpsat.horizon import horizon_of
@@ -21,7 +22,6 @@ from missiontree.scheduling.cpsat.verify import broken
 from missiontree.scheduling.enumeration.trying import Trying
 from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.replay import replay
-from missiontree.scheduling.ticks import seconds
 from missiontree.scheduling.writing import by_bound, found_schedule, impossible_schedule, unknown_schedule
 
 WRITING = 0.3  # what it takes to verify, replay and write an answer, in units of what it took to build the model

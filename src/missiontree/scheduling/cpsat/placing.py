@@ -12,10 +12,10 @@ from dataclasses import dataclass
 
 from missiontree.estimation.travel import Blocked
 from missiontree.mission.grounded import Action
+from missiontree.mission.ticks import ticks
 from missiontree.scheduling.cpsat.model import Model
 from missiontree.scheduling.cpsat.unsupported import UnsupportedError
 from missiontree.scheduling.problem import Problem
-from missiontree.scheduling.ticks import ticks
 from missiontree.scheduling.trips import Spot
 
 MOST_SPOTS = 12

@@ -58,6 +58,8 @@ class SecondForm:
             role = self._graph.roles[self._graph.tree.action(leaf).role]
             before = role[role.index(leaf) - 1]
             model.at_least(self._at[self._graph.start(leaf)], self._at[self._graph.end(before)], lag)
+        for activity, deadline in sorted(self._graph.deadline.items()):
+            model.at_least(Affine(None, deadline), self._at[2 * activity + 1])
         for earlier, later in precedences(self._graph):
             model.at_least(self._event(later), self._event(earlier))
         for open_ended, ones in sorted(self._graph.until.items()):
@@ -87,16 +89,17 @@ class SecondForm:
     def _one_at_a_time(self, crew: Crew, over: Callable[[], bool]) -> None:
         model, group_of, ways = self.model, self._problem.staffing.group_of, _Ways(self._problem, crew)
         staff = None
-        if len(crew.members) > 1 or crew.apart:
+        if len(crew.members) > 1 or crew.apart or any(member.since or member.until for member in crew.members):
             staff = Staff(model, self._problem, crew)
             staff.taking_part()
             staff.budgets()
+            self._present(crew, staff)
         members = range(len(crew.members))
         for role in crew.roles if crew.tours else ():
             for number in members:
                 arrival = ways.least(crew.members[number].start, role)
                 literal = model.true if staff is None else staff.fills[group_of[role], number]
-                self._arrive(role, None, arrival, (literal,))
+                self._arrive(role, Affine(None, crew.members[number].since), arrival, (literal,))
         for number, (first, second) in enumerate(combinations(crew.roles, 2)):
             if number % 64 == 0 and over():
                 raise TimeIsUpError
@@ -107,6 +110,19 @@ class SecondForm:
                     break
                 one, other = (staff.fills[group_of[role], who] for role in (first, second))
                 model.clause(sooner, later, negated(one), negated(other))
+
+    def _present(self, crew: Crew, staff: Staff) -> None:
+        """Nobody does anything before it comes, or after it has left."""
+        for (group, number), literal in staff.fills.items():
+            member = crew.members[number]
+            for role in self._problem.staffing.members[group]:
+                start, end = (
+                    self._graph.start(self._graph.roles[role][0]),
+                    self._graph.end(self._graph.roles[role][-1]),
+                )
+                self.model.at_least(self._at[start], Affine(None, member.since), 0, (literal,))
+                if member.until is not None:
+                    self.model.at_least(Affine(None, member.until), self._at[end], 0, (literal,))
 
     def _either_order(self, first: int, second: int, ways: _Ways) -> tuple[int, int]:
         """Literals of the two orders; where one holds, the robot has time to get from the one to the other."""
@@ -119,19 +135,19 @@ class SecondForm:
             ):
                 self.model.clause(negated(literal))
             self.model.at_least(self._at[self._graph.start(begins)], self._at[self._graph.end(over)], 0, (literal,))
-            self._arrive(after, before, ways.between(before, after), (literal,))
+            left = self._at[self._graph.end(over)]
+            self._arrive(after, left, ways.between(before, after), (literal,))
             found.append(literal)
         return found[0], found[1]
 
-    def _arrive(self, role: int, before: int | None, way: int | None, when: tuple[int, ...]) -> None:
-        """A robot that has done ``before`` gets to the first place of a role in time."""
+    def _arrive(self, role: int, left: Affine, way: int | None, when: tuple[int, ...]) -> None:
+        """A robot that is free from ``left`` on gets to the first place of a role in time."""
         leaf = next((one for one in self._graph.roles[role] if is_somewhere(self._graph.tree.action(one))), None)
         if leaf is None or self._graph.activity_of[leaf] in self._graph.until:
             return
         if way is None:
             self.model.clause(*(negated(literal) for literal in when))
             return
-        left = Affine(None, 0) if before is None else self._at[self._graph.end(self._graph.roles[before][-1])]
         for one in self._graph.roles[role]:
             if one == leaf:
                 break

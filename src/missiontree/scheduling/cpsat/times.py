@@ -7,11 +7,11 @@ comes from (a move), or on others (until), has an end of its own.
 
 from __future__ import annotations
 
+from missiontree.mission.ticks import ticks
 from missiontree.scheduling.cpsat.model import FAR, Affine, Linear, Model
 from missiontree.scheduling.cpsat.net import precedences
 from missiontree.scheduling.cpsat.placing import Stations
 from missiontree.scheduling.problem import Problem
-from missiontree.scheduling.ticks import ticks
 
 
 class Times:
@@ -43,6 +43,8 @@ class Times:
         self.event: dict[int, Affine] = {}
         self._order()
         self._under_way()
+        for activity, deadline in sorted(graph.deadline.items()):
+            self.model.at_least(Affine(None, deadline), self.end[activity])
 
     def of(self, event: int) -> Affine:
         """When an event is."""

@@ -65,6 +65,7 @@ class Tours:
         self._add_times()
         count_heads(model, crew, spans, crew.usable)
         self._add_budgets()
+        self._add_leaving()
         self._take_part()
 
     def node(self, role: int) -> int:
@@ -154,8 +155,7 @@ class Tours:
             first = stations.first[role]
             for tail, taken in self._into(role):
                 here, over = self._left_at(tail), self._over(tail)
-                if over is not None:
-                    self._model.at_least(spans.start(role), over, 0, (taken,))
+                self._model.at_least(spans.start(role), over, 0, (taken,))
                 if first is None:
                     self._stay(here, taken, role)
                     continue
@@ -164,7 +164,7 @@ class Tours:
                         when = tuple(one for one in (taken, is_there, goes_there) if one != self._model.true)
                         self._come(first, stations.way(first, origin, goal), over, when)
 
-    def _come(self, leaf: int, way: Way | None, over: Affine | None, when: tuple[int, ...]) -> None:
+    def _come(self, leaf: int, way: Way | None, over: Affine, when: tuple[int, ...]) -> None:
         if leaf in self._stations.before:
             over = self._times.end[self._problem.graph.activity_of[self._stations.before[leaf]]]
         self._legs.takes(leaf, way, over, when)
@@ -192,9 +192,10 @@ class Tours:
         last = self._stations.last[role]
         return self._passing[role] if last is None else self._stations.where[last]
 
-    def _over(self, node: int) -> Affine | None:
+    def _over(self, node: int) -> Affine:
+        """When a robot leaves a node at the earliest."""
         if node < self._first_node:
-            return None
+            return Affine(None, self.crew.members[node - 1].since)
         return self._spans.end(self.crew.roles[node - self._first_node])
 
     def _take_part(self) -> None:
@@ -208,6 +209,20 @@ class Tours:
                 model.implies((idle[number - 1],), idle[number])
         if crew.usable < len(crew.members):
             model.add(Linear(tuple((1, literal) for literal in idle), len(idle) - crew.usable, len(idle)))
+
+    def _add_leaving(self) -> None:
+        """Nobody is kept longer than it stays: along a tour, every role knows when its robot leaves."""
+        crew, model, far = self.crew, self._model, self._times.horizon
+        if all(member.until is None for member in crew.members):
+            return
+        leaves = {role: Affine(model.integer(0, far)) for role in crew.roles}
+        for role in crew.roles:
+            model.at_least(leaves[role], self._spans.end(role))
+            for tail, taken in self._into(role):
+                if tail >= self._first_node:
+                    model.at_least(leaves[crew.roles[tail - self._first_node]], leaves[role], 0, (taken,))
+                elif (until := crew.members[tail - 1].until) is not None:
+                    model.at_least(Affine(None, until), leaves[role], 0, (taken,))
 
     def _add_budgets(self) -> None:
         """What is left of a budget, role by role along a tour."""

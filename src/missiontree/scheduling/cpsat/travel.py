@@ -72,7 +72,7 @@ class Legs:
                 elif way is not None:
                     self._distances.least(leaf, way.mm, when)
 
-    def takes(self, leaf: int, way: Way | None, before: Affine | None, when: tuple[int, ...]) -> None:
+    def takes(self, leaf: int, way: Way | None, before: Affine, when: tuple[int, ...]) -> None:
         """Where all of ``when`` holds, a robot comes this way to an action, after what it did ``before``; None if there is no way."""
         activity = self._graph.activity_of[leaf]
         if way is None:
@@ -81,7 +81,7 @@ class Legs:
             if activity not in self._graph.until and not self._known(leaf):
                 self._times.lasts(activity, way.ticks, when)
         else:
-            self._model.at_least(self._times.start[activity], before or Affine(None, 0), way.ticks, when)
+            self._model.at_least(self._times.start[activity], before, way.ticks, when)
 
     def _known(self, leaf: int) -> bool:
         return self._stations.length_of_move(leaf) is not None

@@ -15,12 +15,12 @@ from dataclasses import dataclass
 from itertools import product
 
 from missiontree.estimation.travel import Blocked
+from missiontree.mission.ticks import ticks, ticks_within
 from missiontree.scheduling.course import Course
 from missiontree.scheduling.enumeration.state import State
 from missiontree.scheduling.impossible import TOLERANCE
 from missiontree.scheduling.precedence import indegrees
 from missiontree.scheduling.problem import Problem
-from missiontree.scheduling.ticks import ticks
 from missiontree.scheduling.trips import Spot, Trip
 
 MOST_CHOICES = 64
@@ -78,12 +78,19 @@ class Trying:
         self._names: list[str] = []
         self._kind: list[str] = []
         self._alike: list[object] = []
+        self._since: list[int] = []
+        self._until: list[int | None] = []
         for kind in problem.fleet.types:
             for robot, start in zip(kind.members, problem.trips.starts(kind.id), strict=True):
                 named = robot.id if robot.id in problem.required else ""
                 self._names.append(robot.id)
                 self._kind.append(kind.id)
-                self._alike.append((kind.id, start, tuple(sorted(robot.remaining.items())), named))
+                self._alike.append(
+                    (kind.id, start, tuple(sorted(robot.remaining.items())), named, kind.availability(robot))
+                )
+                since_s, until_s = kind.availability(robot)
+                self._since.append(ticks(since_s))
+                self._until.append(None if until_s is None else ticks_within(until_s))
         self._of_kind: dict[str, list[int]] = {}
         for number, kind_id in enumerate(self._kind):
             self._of_kind.setdefault(kind_id, []).append(number)
@@ -124,12 +131,15 @@ class Trying:
                 for name, amount in (dict(kind.limits) | dict(robot.remaining)).items():
                     left[robot.id, name] = amount
         left |= {("", name): amount for name, amount in problem.shared.items()}
+        time = [0] * len(self._graph.successors)
+        for activity, release in self._graph.release.items():
+            time[2 * activity] = release
         return State(
-            time=[0] * len(self._graph.successors),
+            time=time,
             missing=indegrees(self._graph.successors),
             robot_of={},
             spot=[start for kind in problem.fleet.types for start in problem.trips.starts(kind.id)],
-            free=[0] * len(self._names),
+            free=self._since[:],
             role=[-1] * len(self._names),
             things={},
             left=left,
@@ -159,11 +169,20 @@ class Trying:
     def _finish(self, state: State) -> None:
         end = max(state.time[1 : 2 * len(self._actions) : 2], default=0)
         used = set(state.robot_of.values())
-        if end > self._limit or any(state.missing):
+        if end > self._limit or any(state.missing) or not self._in_time(state):
             return
         if not {*self._problem.required} <= {self._names[robot] for robot in used}:
             return
         self._best, self._limit = self._course(state), end - 1
+
+    def _in_time(self, state: State) -> bool:
+        """Whether deadlines are kept, and nobody is kept longer than it stays."""
+        if any(state.time[2 * activity + 1] > deadline for activity, deadline in self._graph.deadline.items()):
+            return False
+        return all(
+            until is None or state.free[robot] <= until or robot not in state.robot_of.values()
+            for robot, until in enumerate(self._until)
+        )
 
     def _hopeless(self, state: State) -> bool:
         """Whether what is left cannot be over in time."""
@@ -236,6 +255,8 @@ class Trying:
             return None
         key = max([start, *(state.starts[one] for one in self._waits.get(activity, ()))])
         if key < state.key or start + self._bounds.tails[2 * activity] > self._limit:
+            return None
+        if start + length > self._graph.deadline.get(activity, start + length):
             return None
         after, end = state.copy(), start + length
         after.key, after.placed = key, (*state.placed, activity)
