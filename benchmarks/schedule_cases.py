@@ -49,7 +49,7 @@ class _Draw:
         return feature in self.features and self.rng.random() < chance
 
 
-FEATURES = ("travel", "things", "budgets", "joint", "until", "links", "terms", "apart", "idle")
+FEATURES = ("travel", "things", "budgets", "joint", "until", "links", "terms", "apart", "idle", "times", "comings")
 
 
 def random_schedule_case(rng: Random) -> ScheduleCase:
@@ -88,6 +88,8 @@ def _fleet(draw: _Draw) -> Fleet:
                     id=f"{name}{index}",
                     position=_position(draw),
                     remaining={"energy_j": float(rng.randint(4, 40))} if draw.maybe("budgets", 0.5) else {},
+                    available_from_s=float(rng.randint(1, 6)) if draw.maybe("comings", 0.4) else None,
+                    available_until_s=float(rng.randint(8, 25)) if draw.maybe("comings", 0.4) else None,
                 )
                 for index in range(number)
             )
@@ -111,6 +113,8 @@ def _fleet(draw: _Draw) -> Fleet:
                     total_limits=totals,
                     count=number,
                     position=_position(draw),
+                    available_from_s=float(rng.randint(1, 6)) if draw.maybe("comings", 0.4) else None,
+                    available_until_s=float(rng.randint(8, 25)) if draw.maybe("comings", 0.4) else None,
                 )
             )
     return Fleet(tuple(types))
@@ -136,8 +140,17 @@ def _tree(draw: _Draw, fleet: Fleet) -> GroundedTree:
 
 
 def _inner(draw: _Draw, parent: int) -> int:
-    draw.nodes.append(GroundedNode(parent=parent, kind="and", label=f"n{len(draw.nodes)}"))
+    release_s, deadline_s = _window(draw)
+    draw.nodes.append(
+        GroundedNode(parent=parent, kind="and", label=f"n{len(draw.nodes)}", release_s=release_s, deadline_s=deadline_s)
+    )
     return len(draw.nodes) - 1
+
+
+def _window(draw: _Draw) -> tuple[float, float | None]:
+    """When a node may begin, and when it must have ended."""
+    release_s = float(draw.rng.randint(1, 8)) if draw.maybe("times", 0.25) else 0.0
+    return release_s, float(draw.rng.randint(9, 30)) if draw.maybe("times", 0.25) else None
 
 
 def _role(draw: _Draw, parent: int, type_id: str, joint: bool) -> int:
@@ -264,4 +277,6 @@ def _limited(kind: RobotType, most: int | None) -> RobotType:
         robots=kind.robots,
         count=None if kind.robots else len(kind.members),
         position=kind.position,
+        available_from_s=kind.available_from_s,
+        available_until_s=kind.available_until_s,
     )

@@ -88,6 +88,13 @@ class Oracle:
         self.best: int | None = None
         self.steps = 0
         self._read_links()
+        self.release = dict.fromkeys(self.leaves, 0)
+        self.due: dict[int, int] = {}
+        for index, node in enumerate(case.tree.nodes):
+            for leaf in self._below(index):
+                self.release[leaf] = max(self.release[leaf], _ms(node.release_s))
+                if node.deadline_s is not None:
+                    self.due[leaf] = min(self.due.get(leaf, 1 << 60), round(node.deadline_s * 1000))
 
     def _read_links(self) -> None:
         for link in self.case.tree.links:
@@ -142,7 +149,7 @@ class Oracle:
         for kind in self.fleet.types:
             for robot in kind.members:
                 world.spot[robot.id] = None if robot.position is None else robot.position.x_m
-                world.free[robot.id] = 0
+                world.free[robot.id] = _ms(kind.availability(robot)[0])
         for entity in self.case.scene.entities:
             world.thing[entity.id] = None if entity.position is None else entity.position.x_m
         return world
@@ -218,6 +225,12 @@ class Oracle:
 
     def _whole(self, world: _World) -> bool:
         busy = set(world.robot_of.values())
+        if any(world.end[leaf] > due for leaf, due in self.due.items()):
+            return False
+        for robot in busy:
+            until_s = self.fleet.type_of[robot].availability(self.fleet.robots[robot])[1]
+            if until_s is not None and world.free[robot] > round(until_s * 1000):
+                return False
         return all(name in busy or name in self.fleet.by_id for name in self.case.terms.require)
 
     def _put(
@@ -255,7 +268,7 @@ class Oracle:
         for leaf, action in actions.items():
             robot = robots[action.role]
             ways[leaf] = self._way(world, robot, action)
-            start = max([start, world.free[robot], *(world.end[one] for one in self.before[leaf])])
+            start = max([start, self.release[leaf], world.free[robot], *(world.end[one] for one in self.before[leaf])])
             if action.moves:
                 length = max(length, ways[leaf][0])
             else:

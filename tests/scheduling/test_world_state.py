@@ -48,3 +48,14 @@ def test_unknown_places_leave_workers_and_movers_nowhere() -> None:
 
 def test_budgets_start_full() -> None:
     assert state().robots["r-1"].left == {"energy_j": 9}
+
+
+def test_who_works_at_a_thing_that_is_taken_away_meanwhile_stays_where_it_was() -> None:
+    """One takes the box from 2 to 9; the other works jointly with it at the box, and is at 2 afterwards, not at 9."""
+    made = mission([Part("a", "r", [move("p", "box", sync=0)]), Part("b", "s", [work(1, at="box", sync=0)])])
+    fleet = Fleet((robots("r", position=at(2)), robots("s", position=at(2))))
+    world = WorldState(fleet, Trips(fleet, scene(box=2, p=9)))
+    actions = [made.tree.action(made.node[name]) for name in ("a.0", "b.0")]
+    world.do_jointly([(world.robots["r-1"], actions[0]), (world.robots["s-1"], actions[1])], 0, 7)
+    assert [world.robots[name].spot for name in ("r-1", "s-1")] == [at(9), at(2)]
+    assert world.entity("box").spot == at(9)

@@ -120,8 +120,7 @@ class _Replay:
             leaves_at = start if action.moves else robot.free_at
             arrives_at = end if action.moves else leaves_at + _ticks(trip)
             board.done[leaf] = Done(leaf, robot.id, start, end, trip, leaves_at, arrives_at)
-        for leaf, action in actions:
-            board.world.do(robots[leaf], action, start, end)
+        board.world.do_jointly([(robots[leaf], action) for leaf, action in actions], start, end)
         board.placed[activity] = [(leaf, robots[leaf]) for leaf, _ in actions]
         board.time[2 * activity] = start
         board.time[2 * activity + 1] = max(board.time[2 * activity + 1], end)

@@ -132,8 +132,7 @@ class Run:
             trip = trips[leaf]
             assert not isinstance(trip, Blocked)
             self._do(leaf, action, offer.robots[action.role], trip, offer.start, end)
-        for _, action in actions:
-            board.world.do(offer.robots[action.role], action, offer.start, end)
+        board.world.do_jointly([(offer.robots[action.role], action) for _, action in actions], offer.start, end)
         board.placed[activity] = [(leaf, offer.robots[action.role]) for leaf, action in actions]
         board.time[2 * activity] = offer.start
         board.time[2 * activity + 1] = max(board.time[2 * activity + 1], end)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from missiontree.mission.fleet import Fleet
@@ -118,13 +119,18 @@ class WorldState:
 
     def do(self, robot: RobotState, action: Action, start: int, end: int) -> None:
         """Let a robot do an action: it, and what it brings, are elsewhere afterwards."""
-        destination = self.spot(action)
-        if action.at is not None:
-            state = self.entity(action.at)
-            state.used_until = max(state.used_until, start if action.open_ended else end)
-        if action.moves or action.at is not None:  # at a place that nobody knows it is somewhere unknown, too
-            robot.spot, robot.stand = destination, self.number(destination)
-        for name in action.brings:
-            self.moves += 1
-            brought = self.entity(name)
-            brought.spot, brought.since = destination, end
+        self.do_jointly([(robot, action)], start, end)
+
+    def do_jointly(self, deeds: Sequence[tuple[RobotState, Action]], start: int, end: int) -> None:
+        """Let robots do actions at one time; who is where something is that another takes away stays where it was."""
+        destinations = [self.spot(action) for _, action in deeds]
+        for (robot, action), destination in zip(deeds, destinations, strict=True):
+            if action.at is not None:
+                state = self.entity(action.at)
+                state.used_until = max(state.used_until, start if action.open_ended else end)
+            if action.moves or action.at is not None:  # at a place that nobody knows it is somewhere unknown, too
+                robot.spot, robot.stand = destination, self.number(destination)
+            for name in action.brings:
+                self.moves += 1
+                brought = self.entity(name)
+                brought.spot, brought.since = destination, end

@@ -267,8 +267,11 @@ class Trying:
                 return None
             after.robot_of[self._staffing.group_of[action.role]] = robot
             after.role[robot] = action.role
-        for leaf, action in self._actions[activity]:
-            self._move(after, leaf, robots[action.role], start, end)
+        goals = [
+            None if action.at is None else self._thing(after, action.at)[0] for _, action in self._actions[activity]
+        ]
+        for (leaf, action), goal in zip(self._actions[activity], goals, strict=True):
+            self._move(after, leaf, robots[action.role], goal, (start, end))
         after.time[2 * activity] = start
         after.time[2 * activity + 1] = max(after.time[2 * activity + 1], end)
         self._settle(after, [2 * activity])
@@ -320,10 +323,9 @@ class Trying:
                         return False
         return True
 
-    def _move(self, state: State, leaf: int, robot: int, start: int, end: int) -> None:
+    def _move(self, state: State, leaf: int, robot: int, goal: Spot, span: tuple[int, int]) -> None:
         """Who and what is elsewhere afterwards."""
-        action = self._graph.tree.action(leaf)
-        goal = None if action.at is None else self._thing(state, action.at)[0]
+        action, (start, end) = self._graph.tree.action(leaf), span
         if action.at is not None:
             spot, since, needed = self._thing(state, action.at)
             state.things[action.at] = (spot, since, max(needed, start if action.open_ended else end))
