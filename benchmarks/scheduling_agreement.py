@@ -85,8 +85,15 @@ def _claims(case: ScheduleCase, result: Schedule, truth: int | None) -> Iterator
 
 
 def _tells_order(case: ScheduleCase, result: Schedule) -> bool:
-    """Whether times alone tell what comes first wherever things are moved; the checker knows no more than a schedule says."""
+    """Whether times alone tell what comes first where that matters; the checker knows no more than a schedule says."""
     seen: set[tuple[str, float]] = set()
+    held: dict[int, tuple[str, float, float]] = {}  # by role
+    for done in result.actions:
+        role = case.tree.action(done.leaf).role
+        held[role] = done.robot, held.get(role, ("", done.start_s))[1], done.end_s
+    instants = [(robot, start) for robot, start, end in held.values() if start == end]
+    if len(set(instants)) < len(instants):
+        return False  # one robot in two roles that take no time, at once: which comes first is not told
     for done in result.actions:
         action = case.tree.action(done.leaf)
         for name in {*action.brings, action.at} & {*THINGS}:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -14,9 +15,11 @@ from missiontree.formats.document import read_text, write_text
 from missiontree.llm.scripted import ScriptedModel, Turn
 from missiontree.mission.control import Control
 from missiontree.mission.routine import ActionStep, Argument, Branch, RoleSpec, Routine
+from missiontree.mission.schedule import Schedule
 from missiontree.planner import plan_request
 from missiontree.reporting.text import plan_text
 from missiontree.samples.catalogue import SAMPLES, sample_file
+from missiontree.scheduling import SCHEDULERS
 
 CARRIED = {"tele_robot", "transportation_robot"}
 LED = {"tele_robot", "social_robot"}
@@ -155,7 +158,7 @@ def test_a_transcript_replays_to_the_same_tree(tmp_path: Path) -> None:
 
 
 def test_the_site_says_what_it_could_not_offer_and_charges_travel() -> None:
-    made = plan(sample_file("site"))
+    made = plan(sample_file("tunnel"))
     assert made.grounding is not None
     # The courier carries 15 kg, the red crate weighs 40 kg.
     heavy = [r for r in made.grounding.not_offered if r.rule == "limit_too_low" and r.robot == "courier"]
@@ -194,8 +197,8 @@ def test_time_zero_returns_a_named_outcome() -> None:
 
 
 def test_weights_change_the_ranking() -> None:
-    by_quality = plan(sample_file("site"))
-    request = request_from(sample_file("site"))
+    by_quality = plan(sample_file("tunnel"))
+    request = request_from(sample_file("tunnel"))
     hurried = replace(request, brief=replace(request.brief, weights=replace(request.brief.weights, beta=0.1)))
     by_time = plan_request(hurried, Control())
     assert utilities(by_time)[0] < utilities(by_quality)[0]
@@ -290,8 +293,8 @@ def test_the_deadline_of_a_mission_holds_for_words_too(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("scheduler", ["cpsat", "auto"])
 def test_every_scheduler_gives_a_checked_plan_that_is_no_longer(scheduler: str) -> None:
-    """The site's own mission: no schedule is longer than the greedy one, and the plan says who made it."""
-    greedy, made = (plan(sample_file("site"), scheduler=name) for name in ("greedy", scheduler))
+    """A sample mission: no schedule is longer than the greedy one, and the plan says who made it."""
+    greedy, made = (plan(sample_file("tunnel"), scheduler=name) for name in ("greedy", scheduler))
     assert check(made) == ()
     assert made.provenance.scheduler == scheduler
     pairs = list(zip(greedy.schedules, made.schedules, strict=True))
@@ -306,3 +309,17 @@ def test_a_mission_file_names_the_scheduler(tmp_path: Path) -> None:
     file.write_text("mission: Reunite mom with her lost child\nscheduler: fastest\n", encoding="utf-8")
     with pytest.raises(InputError, match="there is no scheduler 'fastest'"):
         plan(file)
+
+
+def test_what_the_checker_refuses_is_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A scheduler whose schedules are a second too short: the greedy ones stand instead, and that is said."""
+
+    def hasty(*given: Any) -> Schedule:
+        made = SCHEDULERS["greedy"](*given)
+        return replace(made, makespan_s=made.makespan_s - 1)
+
+    monkeypatch.setitem(SCHEDULERS, "auto", hasty)
+    made = plan("Reunite mom with her lost child", scheduler="auto")
+    assert check(made) == ()
+    assert made.provenance.scheduler == "greedy"
+    assert [notice.found for notice in made.notices if notice.rule == "scheduler_distrusted"] == ["makespan_wrong"]

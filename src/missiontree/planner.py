@@ -49,6 +49,7 @@ from missiontree.routines.ground import ground
 from missiontree.scheduling import SCHEDULERS
 
 MAX_DRAWN = 200
+PLAIN_SCHEDULER = "greedy"
 ALLOCATION_SHARE = 0.6
 RECORDED = "recorded:"
 CALLED = re.compile(r" \([a-z]+[A-Z]\w*\)")  # names of functions, in hints that are worded for a model
@@ -193,9 +194,23 @@ def plan_authored(request: Request, authored: Authored, control: Control) -> Pla
     scene = request.brief.world.extended(authored.tree.entities)
     ranking, schedules = staff_and_schedule(grounding, request, scene, control)
     made = _told(request, authored, grounding, ranking, schedules)
-    if faults := check(made):
+    faults = check(made)
+    if faults and request.scheduler != PLAIN_SCHEDULER:
+        plain = plan_authored(replace(request, scheduler=PLAIN_SCHEDULER), authored, control)
+        return replace(plain, notices=(*plain.notices, _distrusted(request.scheduler, faults[0])))
+    if faults:
         raise InternalError(f"the checker refuses a plan of our own making: {faults[0].rule}: {faults[0].message}")
     return made
+
+
+def _distrusted(scheduler: str, fault: Reason) -> Reason:
+    return Reason(
+        rule="scheduler_distrusted",
+        message=f"The checker refuses what the scheduler {scheduler} made ({fault.rule}: {fault.message}); greedy schedules stand instead.",
+        severity="notice",
+        found=fault.rule,
+        hint="Please report it; a smaller mission that shows the same would help.",
+    )
 
 
 def author(request: Request, control: Control | None = None, listen: Listener = deaf) -> Authored:
