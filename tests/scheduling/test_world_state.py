@@ -9,7 +9,7 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
 from missiontree.scheduling.trips import Trips
 from missiontree.scheduling.world_state import WorldState
-from tests.scheduling.instances import at, move, robots, scene, work
+from tests.scheduling.instances import Part, at, mission, move, robots, scene, work
 
 
 def action(given: dict[str, Any]) -> Action:
