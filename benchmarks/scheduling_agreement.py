@@ -43,6 +43,7 @@ INPUTS = {
     "digest_mismatch",
     "note_dropped",
     "assumption_missing",
+    "limit_use_missing",
 }  # of a plan made for the checker alone, without a road to it
 LONG_S = 60.0
 MOST_STEPS = 200_000

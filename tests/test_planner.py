@@ -158,7 +158,7 @@ def test_a_transcript_replays_to_the_same_tree(tmp_path: Path) -> None:
 
 
 def test_the_site_says_what_it_could_not_offer_and_charges_travel() -> None:
-    made = plan(sample_file("tunnel"))
+    made = plan(sample_file("site"))
     assert made.grounding is not None
     # The courier carries 15 kg, the red crate weighs 40 kg.
     heavy = [r for r in made.grounding.not_offered if r.rule == "limit_too_low" and r.robot == "courier"]
@@ -197,8 +197,8 @@ def test_time_zero_returns_a_named_outcome() -> None:
 
 
 def test_weights_change_the_ranking() -> None:
-    by_quality = plan(sample_file("tunnel"))
-    request = request_from(sample_file("tunnel"))
+    by_quality = plan(sample_file("site"))
+    request = request_from(sample_file("site"))
     hurried = replace(request, brief=replace(request.brief, weights=replace(request.brief.weights, beta=0.1)))
     by_time = plan_request(hurried, Control())
     assert utilities(by_time)[0] < utilities(by_quality)[0]
@@ -294,7 +294,7 @@ def test_the_deadline_of_a_mission_holds_for_words_too(tmp_path: Path) -> None:
 @pytest.mark.parametrize("scheduler", ["cpsat", "auto"])
 def test_every_scheduler_gives_a_checked_plan_that_is_no_longer(scheduler: str) -> None:
     """A sample mission: no schedule is longer than the greedy one, and the plan says who made it."""
-    greedy, made = (plan(sample_file("tunnel"), scheduler=name) for name in ("greedy", scheduler))
+    greedy, made = (plan(sample_file("site"), scheduler=name) for name in ("greedy", scheduler))
     assert check(made) == ()
     assert made.provenance.scheduler == scheduler
     pairs = list(zip(greedy.schedules, made.schedules, strict=True))
