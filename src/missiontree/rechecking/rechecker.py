@@ -49,7 +49,7 @@ CORE_RULES = {
     "core_order": "the actions of a role run in order",
     "core_precedence": "what comes first ends before what comes after starts",
     "core_quality": "an action has the quality of its type",
-    "core_ranks": "the better alternative stands first",
+    "core_ranks": "the better alternative stands first, and teams differ where they are to",
     "core_release": "nothing starts before its release",
     "core_require": "who must take part does",
     "core_same_robot": "nodes for one robot are done by one robot",
@@ -61,7 +61,7 @@ CORE_RULES = {
     "core_type_total": "the robots of a type use no more than they may together",
     "core_types": "every role has one type, that of its actions",
     "core_until": "what lasts until another ends does",
-    "core_utility": "the utility is the sum over the selected actions",
+    "core_utility": "the utility is the sum over the selected actions, or their mean or least as the mission asks",
     "core_without": "who is left out takes no part",
     "core_zone": "nobody works in a zone that it may not enter",
 }
@@ -84,7 +84,8 @@ def recheck(plan: Plan) -> list[Reason]:
     if plan.grounding is None or plan.ranking is None:
         return []
     alternatives = plan.ranking.alternatives
-    found = list(worth.ranks_in_order(alternatives))
+    found = list(worth.ranks_in_order(alternatives, plan.brief.accumulate))
+    found += worth.teams_differ(alternatives) if plan.brief.diverse else ()
     expected = plan.outcome == "delivered" or plan.schedules
     if expected and [one.rank for one in plan.schedules] != [one.rank for one in alternatives]:
         found.append(broken("core_schedules", "the schedules do not stand beside the alternatives, one for each."))
