@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 from missiontree import plan
+from missiontree.mission.aim import Accumulate
 from missiontree.mission.plan import Plan
 from missiontree.rechecking import recheck
 
@@ -21,7 +22,7 @@ def test_what_was_asked_for_is_in_order(aim: dict[str, object]) -> None:
 
 
 @pytest.mark.parametrize("accumulate", ["mean", "min"])
-def test_a_sum_is_no_mean_and_no_least(accumulate: str) -> None:
+def test_a_sum_is_no_mean_and_no_least(accumulate: Accumulate) -> None:
     made = asked(accumulate="sum")
     other = replace(made, brief=replace(made.brief, accumulate=accumulate))
     assert {fault.rule for fault in recheck(other)} == {"core_utility"}
