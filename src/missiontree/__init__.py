@@ -21,11 +21,13 @@ if TYPE_CHECKING:
     from missiontree.authoring.budgets import Budgets
     from missiontree.checking import check
     from missiontree.errors import InputError, MissiontreeError
+    from missiontree.explaining.explain import explain
     from missiontree.llm.recorded import RecordedModel
     from missiontree.llm.scripted import ScriptedModel
     from missiontree.mission.control import Control
     from missiontree.mission.entity import Entity
     from missiontree.mission.estimate import Weights
+    from missiontree.mission.explanation import Explanation
     from missiontree.mission.fleet import Capability, Fleet, Robot, RobotType
     from missiontree.mission.plan import Plan
     from missiontree.mission.position import Position
@@ -41,6 +43,7 @@ _HOMES = {
     "Capability": "mission.fleet",
     "Control": "mission.control",
     "Entity": "mission.entity",
+    "Explanation": "mission.explanation",
     "Fleet": "mission.fleet",
     "InputError": "errors",
     "MissiontreeError": "errors",
@@ -53,6 +56,7 @@ _HOMES = {
     "ScriptedModel": "llm.scripted",
     "Weights": "mission.estimate",
     "check": "checking",
+    "explain": "explaining.explain",
     "plan": "planner",
     "plan_text": "reporting.text",
     "routine": "routines.python",
@@ -63,6 +67,7 @@ __all__ = [
     "Capability",
     "Control",
     "Entity",
+    "Explanation",
     "Fleet",
     "InputError",
     "MissiontreeError",
@@ -75,6 +80,7 @@ __all__ = [
     "ScriptedModel",
     "Weights",
     "check",
+    "explain",
     "plan",
     "plan_text",
     "routine",

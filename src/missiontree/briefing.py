@@ -17,6 +17,7 @@ from missiontree.formats.source import clean
 from missiontree.llm.chat import ChatModel
 from missiontree.mission.aim import Accumulate
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.costs import DEFAULT_COSTS, Costs
 from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.goal import in_words
@@ -83,6 +84,8 @@ class Request:
         File of the tree that was handed in.
     estimator
         What says how well, how long and how dear every action is; None for the fleet's table. The brief says whose it is.
+    costs
+        What changes cost that would make the mission possible.
     """
 
     brief: MissionBrief
@@ -98,6 +101,7 @@ class Request:
     sources: tuple[str, ...] = ()
     tree_file: str = ""
     estimator: OwnEstimator | None = None
+    costs: Costs = DEFAULT_COSTS
 
 
 def request_from(
@@ -204,7 +208,13 @@ def request_from(
     if tree is not None and not words:
         brief = replace(brief, text=tree.objective)
     request = Request(
-        brief=brief, tree=tree, methods=tuple(method_files), sources=sources, tree_file=tree_file, estimator=own
+        brief=brief,
+        tree=tree,
+        methods=tuple(method_files),
+        sources=sources,
+        tree_file=tree_file,
+        estimator=own,
+        costs=Costs(file.costs),
     )
     named: dict[str, Any] = {
         "k": file.k,

@@ -8,7 +8,21 @@ from typing import Annotated
 import typer
 
 from missiontree import __version__
-from missiontree.cli import check, compare, evaluate, export, init, learn, models, plan, rank, schedule, schema, show
+from missiontree.cli import (
+    check,
+    compare,
+    evaluate,
+    explain,
+    export,
+    init,
+    learn,
+    models,
+    plan,
+    rank,
+    schedule,
+    schema,
+    show,
+)
 from missiontree.cli.exits import Exit, guarded
 from missiontree.errors import InputError
 
@@ -29,6 +43,7 @@ app.command("plan")(plan.command)
 app.command("show")(show.command)
 app.command("check")(check.command)
 app.command("compare")(compare.command)
+app.command("explain")(explain.command)
 app.command("evaluate")(evaluate.command)
 app.command("export-training")(export.command)
 app.command("init")(init.command)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from missiontree.mission.aim import Accumulate
+from missiontree.mission.costs import Price, check_prices
 from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
 from missiontree.mission.goal import Goal, check_goals
@@ -68,6 +69,9 @@ class MissionFile(Value):
     diverse
         Whether alternatives are to differ in team: the best; then the best of those in which another set of robot types takes part; and
         so on. Default false.
+    costs
+        What changes cost that would make a mission possible, by kind of change, so that `missiontree explain` can put them in an order:
+        a number, or more closely a price. Default: those of the documentation.
     """
 
     mission: str = ""
@@ -92,6 +96,7 @@ class MissionFile(Value):
     deadline_s: NonNegative | None = None
     accumulate: Accumulate = "sum"
     diverse: bool = False
+    costs: Mapping[Id, Price | NonNegative] = field(default_factory=dict)
 
     def _check(self) -> None:
         if not self.mission.strip() and not self.goals and self.tree is None:
@@ -100,4 +105,5 @@ class MissionFile(Value):
             raise ValueError("a mission file has either goals or the path of a tree.")
         object.__setattr__(self, "min_quality", checked_quality(self.min_quality))
         check_goals(self.goals)
+        check_prices(self.costs)
         require_unique("entity", tuple(entity.id for entity in self.entities))

@@ -1,0 +1,120 @@
+"""``missiontree explain``: why a mission cannot be done, and the smallest changes that would make it possible."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from missiontree.cli import options
+from missiontree.cli.exits import OUTCOMES
+from missiontree.cli.gathering import author_named, budgets_from, gather
+from missiontree.cli.interrupt import controlled
+from missiontree.cli.screen import remark, show
+from missiontree.cli.watching import authored
+
+if TYPE_CHECKING:
+    from missiontree.mission.explanation import Explanation
+    from missiontree.mission.plan import Plan
+
+
+def command(
+    mission: options.Mission = None,
+    fleet: options.FleetFile = None,
+    scene: options.SceneFile = None,
+    routines: options.RoutineFiles = None,
+    methods: options.MethodFiles = None,
+    sample: options.Sample = None,
+    weights: options.WeightsText = None,
+    without: options.Without = None,
+    require: options.Require = None,
+    min_quality: options.MinQualityText = None,
+    estimator: options.EstimatorFile = None,
+    accumulate: options.AccumulateText = None,
+    diverse: options.DiverseFlag = None,
+    k: options.Alternatives = None,
+    model: options.Model = None,
+    base_url: options.BaseUrl = None,
+    replay: options.Replay = None,
+    max_turns: options.MaxTurns = None,
+    max_tokens: options.MaxTokens = None,
+    max_seconds: options.MaxSeconds = None,
+    kinds: options.Kinds = None,
+    time_limit: options.TimeLimit = None,
+    seed: options.Seed = None,
+    as_json: options.AsJson = False,
+    quiet: options.Quiet = False,
+    colour: options.Colour = None,
+) -> int:
+    """Say why a mission cannot be done and what would make it possible; a plan file may stand in the mission's place."""
+    from missiontree.explaining.explain import explain_authored, explain_plan, request_of
+
+    plan = plan_given(mission)
+    if plan is not None:
+        request = request_of(plan)
+        with controlled(time_limit, request.seed) as control:
+            told = explain_plan(plan, request, control)
+    else:
+        request = gather(
+            mission,
+            sample,
+            fleet=fleet,
+            scene=scene,
+            routines=routines,
+            methods=methods,
+            weights=weights,
+            without=without,
+            require=require,
+            min_quality=min_quality,
+            estimator=estimator,
+            accumulate=accumulate,
+            diverse=diverse,
+            k=k,
+            allocator=None,
+            model=author_named(model, replay),
+            base_url=base_url,
+            budgets=budgets_from(max_turns, max_tokens, max_seconds),
+            kinds=kinds,
+            seed=seed,
+        )
+        if not (quiet or as_json):
+            for source in request.sources:
+                remark(f"using {source}", colour)
+        made = authored(request, quiet or as_json, colour)
+        with controlled(time_limit, request.seed) as control:
+            told = explain_authored(request, made, control)
+    deliver(told, as_json, colour)
+    return OUTCOMES[told.outcome]
+
+
+def plan_given(mission: str | None) -> Plan | None:
+    """The plan that stands in the mission's place, if a file does that is one."""
+    import json
+
+    from missiontree.formats.document import read_file
+    from missiontree.formats.source import load_text
+
+    if mission is None or not mission.endswith(".json") or not Path(mission).is_file():
+        return None
+    try:
+        head = json.loads(load_text(Path(mission)))
+    except ValueError:
+        return None  # whoever reads it as a mission says what is wrong with it
+    if not isinstance(head, dict) or not str(head.get("format", "")).startswith("plan/"):
+        return None
+    plan: Plan = read_file(Path(mission), "plan")
+    return plan
+
+
+def deliver(told: Explanation, as_json: bool, colour: bool | None) -> None:
+    """Print the explanation. As JSON it stands without the plans, which are as long as all else together."""
+    from missiontree.formats.document import write_text
+    from missiontree.reporting.explanation_view import explanation_view
+
+    if as_json:
+        repairs = tuple(replace(repair, plan=None) for repair in told.repairs)
+        typer.echo(write_text(replace(told, plan=None, repairs=repairs), "explanation"), nl=False)
+    else:
+        show(explanation_view(told), colour)

@@ -1,0 +1,68 @@
+"""An explanation for the terminal: why it cannot be done, and what would make it possible."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rich.console import Group, RenderableType
+from rich.padding import Padding
+from rich.text import Text
+
+from missiontree.mission.explanation import Cause, Explanation, Repair
+from missiontree.reporting.text import HEADLINES, render, words
+
+MOST_REFUSALS = 12
+CLAIMS = {"smallest_proven": "nothing less would do, proven", "smallest_found": "the least that was found"}
+
+
+def explanation_text(explanation: Explanation, width: int = 100) -> str:
+    """The explanation as plain text, without colour."""
+    return render(explanation_view(explanation), width)
+
+
+def explanation_view(explanation: Explanation) -> Group:
+    """Causes, repairs and remarks, in this order."""
+    return Group(*_sections(explanation))
+
+
+def _sections(told: Explanation) -> Iterator[RenderableType]:
+    headline, style = HEADLINES[told.outcome]
+    can = told.outcome == "delivered"
+    yield Text.assemble(
+        ("Can be done" if can else headline, style), ": ", words(told.mission.strip() or "(no words)", "bold")
+    )
+    if told.causes:
+        yield from _titled("Why it cannot be done")
+        for cause in told.causes:
+            yield from _cause(cause)
+    if told.repairs:
+        yield from _titled("What would make it possible, cheapest first")
+        for repair in told.repairs:
+            yield from _repair(repair)
+        if told.cheapest == "proven":
+            yield Padding(
+                Text("No single change that costs less than number 1 is enough; proven.", style="dim"), (0, 0, 0, 2)
+            )
+    for notice in told.notices:
+        yield Padding(Text.assemble(("+", "cyan"), " ", words(notice.message)), (0, 0, 0, 2))
+
+
+def _titled(title: str) -> Iterator[RenderableType]:
+    yield Text("")
+    yield Text(title, style="bold")
+
+
+def _cause(cause: Cause) -> Iterator[RenderableType]:
+    yield Padding(Text.assemble(("✗", "red"), " ", words(cause.words)), (0, 0, 0, 2))
+    details = [reason.message for reason in cause.reasons if reason.message != cause.words]
+    more = len(details) - MOST_REFUSALS
+    for message in [*details[:MOST_REFUSALS], *([f"… and {more} more; --json lists them all"] if more > 0 else [])]:
+        yield Padding(words(message, "dim"), (0, 0, 0, 6))
+    if cause.hint:
+        yield Padding(words(cause.hint), (0, 0, 0, 6))
+
+
+def _repair(repair: Repair) -> Iterator[RenderableType]:
+    yield Padding(Text.assemble((f"{repair.number}.", "bold green"), " ", words(repair.words)), (0, 0, 0, 2))
+    result = f"cost {repair.cost:g}; {CLAIMS[repair.claim]}; utility {repair.utility:g}, {repair.makespan_s:.1f} s"
+    yield Padding(words(result, "dim"), (0, 0, 0, 5))
