@@ -27,8 +27,9 @@ STEPS = 20
 LARGE = 5_000  # parts from which compiling pays from the start
 TRIED_PLAIN = 150  # nodes at the slow speed before the fast one is taken
 SLICES = {True: 2_000, False: 10}  # nodes between two looks at the clock
+MENDED_IN_ONE_GO = {True: 1_000_000, False: 10_000}  # parts looked at by exchanges before the next look at the clock
 MENDING = {True: 50_000_000, False: 50_000}  # parts looked at by exchanges
-FEWEST_PASSES, MOST_PASSES = 20, 1_000
+FEWEST_PASSES, PASSES_PER_PART, MOST_PASSES = 20, 10, 1_000
 GIANT = 20_000  # parts of a core in which exchanges do more than searching
 MENDING_ON = {True: 2_000_000_000, False: 10_000_000}  # parts looked at by exchanges in such cores
 MENDED_AT_ONCE = 20  # passes between two looks at the clock
@@ -118,18 +119,29 @@ class Rounds:
     def start(self) -> list[Way]:
         """Put first ways into the pool; once."""
         if self._started is None:
-            most = MENDING[self.base.engine.fast] // len(self.core)
             self._started = start(
                 self.pool,
                 self.core,
                 self.purses,
-                self.base.mended(max(FEWEST_PASSES, min(MOST_PASSES, most))),
+                self._mended_at_first(),
                 self.base.advised(),
                 (self.base.advised(raised) for raised in RAISED),
                 self.base.true_prices(self.purses),
                 self.control,
             )
         return self._started
+
+    def _mended_at_first(self) -> Way | None:
+        """A way found by exchanges alone; once there is one, it is bettered only while there is time."""
+        parts, fast = len(self.core), self.base.engine.fast
+        passes = max(FEWEST_PASSES, min(MOST_PASSES, PASSES_PER_PART * parts, MENDING[fast] // parts))
+        at_once = max(1, MENDED_IN_ONE_GO[fast] // parts)
+        best: Way | None = None
+        for done in range(0, passes, at_once):
+            best = self.base.mended(min(at_once, passes - done), fresh=not done) or best
+            if best is not None and self.control.ended():
+                break
+        return best
 
     def _mend_on(self) -> None:
         """Go on with exchanges, once: so many choices are not searched to the end, but ways get better for a long time."""
