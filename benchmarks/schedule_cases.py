@@ -17,11 +17,14 @@ from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, GroundedTree, Role
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
+from missiontree.mission.shared_resource import SharedResource
 from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.mission.tree import LinkKind
 
 PLACES = ("p", "q", "r", "lost")
 THINGS = ("box", "cat")
+SHARED = ("door", "lift")
+MOST_HOLDERS = 4
 KINDS: tuple[LinkKind, ...] = ("precedence", "precedence", "precedence", "same_robot", "different_robot", "until")
 
 
@@ -43,13 +46,27 @@ class _Draw:
     features: set[str] = field(default_factory=set)
     nodes: list[GroundedNode] = field(default_factory=list)
     roles: list[Role] = field(default_factory=list)
+    holders: dict[str, int] = field(default_factory=dict)  # by shared resource
 
     def maybe(self, feature: str, chance: float) -> bool:
         """Whether a feature that the case has at all is drawn here."""
         return feature in self.features and self.rng.random() < chance
 
 
-FEATURES = ("travel", "things", "budgets", "joint", "until", "links", "terms", "apart", "idle", "times", "comings")
+FEATURES = (
+    "travel",
+    "things",
+    "budgets",
+    "joint",
+    "until",
+    "links",
+    "terms",
+    "apart",
+    "idle",
+    "times",
+    "comings",
+    "shared",
+)
 
 
 def random_schedule_case(rng: Random) -> ScheduleCase:
@@ -175,6 +192,9 @@ def _action(draw: _Draw, parent: int, role: int, type_id: str, sync: int | None,
     if draw.maybe("budgets", 0.5):
         uses = {"energy_j": rng.choice((1.0, 2.5)), "coins": 1.0}
     duration = 0.0 if draw.maybe("idle", 0.15) else rng.choice((1.0, 2.0, 3.0, 5.0))
+    holds = tuple(name for name in SHARED if draw.maybe("shared", 0.45) and draw.holders.get(name, 0) < MOST_HOLDERS)
+    for name in holds:
+        draw.holders[name] = draw.holders.get(name, 0) + 1
     index = len(draw.nodes)
     action = Action(
         name=f"a{index}",
@@ -190,6 +210,7 @@ def _action(draw: _Draw, parent: int, role: int, type_id: str, sync: int | None,
         moves=moves,
         brings=brings,
         sync=sync,
+        holds=holds,
         open_ended=last and not moves and sync is None and draw.maybe("until", 0.5),
     )
     draw.nodes.append(GroundedNode(parent=parent, kind="action", label=f"a{index}", action=action))
@@ -231,7 +252,10 @@ def _scene(draw: _Draw) -> Scene:
                 max_speed_mps=0.5 if name == "cat" else None,
             )
             for name, x in where.items()
-        )
+        ),
+        resources=tuple(
+            SharedResource(id=name, capacity=draw.rng.choice((1, 1, 2))) for name in SHARED if draw.holders
+        ),
     )
 
 

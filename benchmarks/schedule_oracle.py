@@ -2,7 +2,8 @@
 The least makespan of small missions on a line, by trying everything: an oracle that shares no code with the schedulers.
 
 Actions (joint ones together) are put down one after the other, each as early as it can be after what stands there already; every order
-and every choice of robots is tried. Some best schedule comes about that way: put its actions down in order of their starts.
+and every choice of robots is tried. Some best schedule comes about that way: put its actions down in order of their starts. Of a shared
+resource every way is tried in which its places can be passed on from one holder to the next, so that it is no more than an order.
 """
 
 from __future__ import annotations
@@ -10,10 +11,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import product
+from itertools import combinations, permutations, product
 
 from benchmarks.schedule_cases import ScheduleCase
 from missiontree.mission.grounded import Action
+from missiontree.mission.shared_resource import SharedResource
 
 SLACK = 1e-6
 MOST_STEPS = 6_000
@@ -114,13 +116,47 @@ class Oracle:
 
     def least(self) -> int | None:
         """Least makespan in milliseconds; None if nothing works."""
+        plain = self.before
+        for chains in product(*(self._passings(resource) for resource in self.case.scene.resources)):
+            self.before = {leaf: set(earlier) for leaf, earlier in plain.items()}
+            for earlier, later in (pair for pairs in chains for pair in pairs):
+                for leaf in self.units[later]:
+                    self.before[leaf] |= set(self.units[earlier])
+            self._try()
+        return self.best
+
+    def _passings(self, resource: SharedResource) -> list[tuple[tuple[int, int], ...]]:
+        """All ways in which units pass on the places of a resource: pairs of units that come one after the other."""
+        asks = {
+            number: sum(resource.id in self._action(leaf).holds for leaf in unit)
+            for number, unit in enumerate(self.units)
+        }
+        holders = [number for number, asked in asks.items() if asked]
+        found: dict[tuple[tuple[int, int], ...], None] = {}
+        if sum(asks.values()) <= resource.capacity:
+            return [()]
+        for order in permutations(holders):
+            ways: list[tuple[tuple[int, ...], frozenset[tuple[int, int]]]] = [((-1,) * resource.capacity, frozenset())]
+            for one in order:
+                ways = [
+                    (
+                        tuple(sorted(one if place in taken else last for place, last in enumerate(places))),
+                        pairs | passed,
+                    )
+                    for places, pairs in ways
+                    for taken in combinations(range(resource.capacity), asks[one])
+                    for passed in [frozenset((places[place], one) for place in taken if places[place] >= 0)]
+                ]
+            found |= dict.fromkeys(tuple(sorted(pairs)) for _, pairs in ways)
+        return list(found)
+
+    def _try(self) -> None:
         own_ends = [sorted(self._own_ends(leaf)) for leaf in sorted(self.until)]
         for chosen in product(*own_ends):
             latest: dict[int, list[int]] = {}
             for open_ended, one in zip(sorted(self.until), chosen, strict=True):
                 latest.setdefault(one, []).append(open_ended)
             self._go_on(self._begin(), latest, 0)
-        return self.best
 
     def _own_ends(self, leaf: int) -> set[int]:
         """Actions with an end of their own that set the end of an open-ended one."""

@@ -665,6 +665,15 @@ def action_altered(plan: Plan) -> Iterator[Plan]:
             plan, leaf, at=None if node.action.at is not None else next(iter(plan.brief.world.by_id), "nowhere")
         )
         yield with_action(plan, leaf, uses={"sugar_kg": 1.0})
+        if node.action.holds:
+            yield with_action(plan, leaf, holds=())
+
+
+@breaks("held_unknown")
+def nothing_held(plan: Plan) -> Iterator[Plan]:
+    """An action holds what there is not."""
+    for leaf, _ in leaves(plan):
+        yield with_action(plan, leaf, holds=("ghost",))
 
 
 # Alternatives.
@@ -1252,6 +1261,18 @@ def role_within_a_role(plan: Plan) -> Iterator[Plan]:
                 number, start_s = schedule.actions.index(last), max(after)
                 end_s = round(start_s + last.end_s - last.start_s, 3)
                 yield with_done(plan, place, number, start_s=start_s, end_s=end_s)
+
+
+@breaks("resource_overfull")
+def held_at_once(plan: Plan) -> Iterator[Plan]:
+    """An action that fills a shared resource is put to the same time as another that holds it."""
+    tree = grounded_tree(plan)
+    for place, schedule, number, done in scheduled(plan):
+        for other in schedule.actions:
+            shared = {*tree.action(done.leaf).holds} & {*tree.action(other.leaf).holds}
+            if other.robot != done.robot and shared and min(done.end_s - done.start_s, other.end_s - other.start_s) > 1:
+                end_s = round(other.start_s + done.end_s - done.start_s, 3)
+                yield with_done(plan, place, number, start_s=other.start_s, end_s=end_s)
 
 
 # Travel.

@@ -21,6 +21,7 @@ from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import ActionStep, Argument, Branch, Need, RoleSpec, Routine, RoutineLibrary
 from missiontree.mission.scene import Scene
+from missiontree.mission.shared_resource import SharedResource
 from missiontree.mission.tree import Link, MissionNode, MissionTree
 from missiontree.mission.ways import Lift, OccupancyGrid, Road, RoadGraph, RoadNode
 from missiontree.planner import plan
@@ -461,12 +462,13 @@ def learned() -> Plan:
 @cache
 def measured() -> Plan:
     """
-    Two doors, each opened by radio in one action of quality 1.0, or by hand in two of 0.6 or 0.9: by mean, different teams.
+    Two doors, each opened by radio in one action of quality 1.0, or by hand in two of 0.6 or 0.9: by mean, different teams, with one key.
 
     By radio twice 1.0; by radio and by the better hand (1.0 + 0.9 + 0.9) / 3; by that hand twice 0.9, which has the best sum, 3.6.
     """
     steps = tuple(
-        ActionStep(name=name, text=f"{name} {{agent}}", duration_s=5.0, at="agent") for name in ("unlock", "pull")
+        ActionStep(name=name, text=f"{name} {{agent}}", duration_s=5.0, at="agent", holds=("key",))
+        for name in ("unlock", "pull")
     )
     open_ = Routine(
         id="Open",
@@ -484,7 +486,9 @@ def measured() -> Plan:
         )
     )
     tree = flat_tree(*(routine_node(f"open-{name}", "Open", agent=name) for name in ("door", "gate")))
-    scene = Scene(entities=tuple(Entity(id=name) for name in ("door", "gate")))
+    scene = Scene(
+        entities=tuple(Entity(id=name) for name in ("door", "gate")), resources=(SharedResource(id="key", capacity=1),)
+    )
     return made(
         tree,
         brief_of(

@@ -21,6 +21,7 @@ from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.shared_resource import SharedResource
 from missiontree.routines.library import built_in
 from tests.builders import and_, grounded, leaf, xor_
 
@@ -502,3 +503,41 @@ def test_a_ranking_that_claims_to_be_complete_is_refuted_by_one_more_alternative
     assert only(complete).found == "no bound on what is not listed"
     rest = replace(PROVEN, bound=1.0)
     assert check(replace(plan, ranking=replace(plan.ranking, alternatives=(chosen,), certificate=rest))) == ()
+
+
+def held_by_two(first_s: float, second_s: float, capacity: int = 1, lasts_s: float = 4) -> Plan:
+    """Two actions of 4 s (or as long as given) by two robots, each of which holds the door."""
+    tree = grounded(
+        and_(*(leaf(f"pass{number}", role=f"R{number}", duration_s=lasts_s, holds=("door",)) for number in range(2)))
+    )
+    scene = replace(SCENE, resources=(SharedResource(id="door", capacity=capacity),))
+    spans = times((1, "r-1", first_s, first_s + lasts_s), (2, "r-2", second_s, second_s + lasts_s))
+    return plan_of(tree, spans, scene=scene)
+
+
+def test_a_door_is_held_by_one_at_a_time() -> None:
+    """0-4 and 4-8 are sound, and 0-4 and 3.999-7.999 within a tick; at 3 s two would be in it."""
+    assert rules(held_by_two(0, 4)) == []
+    assert rules(held_by_two(0, 3.999)) == []
+    assert rules(held_by_two(0, 3, capacity=2)) == []
+    fault = only(held_by_two(0, 3))
+    assert (fault.rule, fault.found, fault.needed, fault.robot) == (
+        "resource_overfull",
+        "2 at once",
+        "at most 1",
+        "r-2",
+    )
+    assert "at 3 s door is held by r-1 in pass0 [1], r-2 in pass1 [2]" in fault.message
+
+
+def test_what_takes_no_time_is_not_inside_what_fills_the_door() -> None:
+    """One action of 4 s, 0-4, and one of no time: at 0 s or 4 s it is sound, at 2 s not."""
+    tree = grounded(
+        and_(
+            leaf("stay", role="R0", duration_s=4, holds=("door",)),
+            leaf("pass", role="R1", duration_s=0, holds=("door",)),
+        )
+    )
+    scene = replace(SCENE, resources=(SharedResource(id="door"),))
+    for moment, expected in ((0, []), (4, []), (2, ["resource_overfull"])):
+        assert rules(plan_of(tree, times((1, "r-1", 0, 4), (2, "r-2", moment, moment)), scene=scene)) == expected

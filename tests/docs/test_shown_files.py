@@ -10,7 +10,9 @@ from pathlib import Path
 import pytest
 
 HOW_TO = Path(__file__).parents[2] / "docs/how-to"
-PAGES = {name: (HOW_TO / name).read_text(encoding="utf-8") for name in ("limit-a-team.md", "set-times.md")}
+PAGES = {
+    name: (HOW_TO / name).read_text(encoding="utf-8") for name in ("limit-a-team.md", "set-times.md", "share-a-lift.md")
+}
 FILES = {
     name: dict(re.findall(r"<!-- example: (\w+) -->\n```yaml\n(.*?)```", page, re.DOTALL))
     for name, page in PAGES.items()
@@ -36,5 +38,9 @@ def test_the_page_shows_what_is_printed(page: str, was: str, becomes: str, shown
 
 
 def test_the_pages_show_something() -> None:
-    assert {name: len(files) for name, files in FILES.items()} == {"limit-a-team.md": 4, "set-times.md": 3}
-    assert [sum(one[0] == name for one in SHOWN) for name in PAGES] == [6, 3]
+    assert {name: len(files) for name, files in FILES.items()} == {
+        "limit-a-team.md": 4,
+        "set-times.md": 3,
+        "share-a-lift.md": 4,
+    }
+    assert [sum(one[0] == name for one in SHOWN) for name in PAGES] == [6, 3, 2]

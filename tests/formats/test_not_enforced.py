@@ -20,7 +20,7 @@ PLANNED = [
         "roads:\n  lifts:\n  - {id: l, stops: [a, b], ride_s: 1, capacity: 2}\n",
         3,
         "roads.lifts[0].capacity",
-        "shared resources",
+        "capacities of roads",
     ),
     ("tree", "objective: x\nnodes:\n- {id: a, label: a, windows: 5}\n", 3, "nodes[0].windows", "windows"),
     (

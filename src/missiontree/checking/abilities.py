@@ -261,6 +261,7 @@ def _expected(
         "finds": stretch.place(step.finds),
         "open_ended": step.open_ended,
         "uses": step.uses,
+        "holds": _held(case, stretch, step),
     }
     capability = kind.capability(stretch.role.rating) if kind is not None else None
     if case.plan.brief.estimator is not None:
@@ -268,6 +269,13 @@ def _expected(
     elif capability is not None:
         expected["duration_s"] = capability.duration.plus_s + capability.duration.scale * step.duration_s
     return expected
+
+
+def _held(case: Case, stretch: Stretch, step: ActionStep) -> tuple[str, ...]:
+    """Shared resources of the scene that a step holds: those it names, and those that its arguments stand for."""
+    there = {resource.id for resource in case.scene.resources}
+    named_ones = (stretch.place(name.strip("{}")) if name.startswith("{") else name for name in step.holds)
+    return tuple(dict.fromkeys(name for name in named_ones if name in there))
 
 
 def _actions(case: Case) -> Iterator[tuple[int, Action]]:

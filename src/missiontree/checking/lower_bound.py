@@ -1,10 +1,10 @@
 """
 A bound of the checker's own: no schedule of an alternative can be shorter, by design alone and by the checker's own distances.
 
-Two plain arguments. *Critical path*: actions of a role, of a precedence and of an until link follow each other, with the travel
+Three plain arguments. *Critical path*: actions of a role, of a precedence and of an until link follow each other, with the travel
 that is certain between them, and none starts before its release time, or before the nearest robot of its type can be there. *Load*:
 robots take one role at a time, so the roles of a type fill at least their sum shared among its robots, after the earliest start and
-before the least that must still follow.
+before the least that must still follow. *Resource load*: the same of what holds a shared resource, and its capacity.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class _Bound:
         self._draw()
 
     def ticks(self) -> int:
-        """The larger of both bounds."""
+        """The largest of the bounds."""
         order = self._order()
         if order is None:
             return 0
@@ -71,7 +71,7 @@ class _Bound:
         tails = dict.fromkeys(order, 0)
         for event in reversed(order):
             tails[event] = max((weight + tails[later] for later, weight in self._after[event]), default=0)
-        return max(max(heads.values(), default=0), self._load(heads, tails))
+        return max(max(heads.values(), default=0), self._load(heads, tails), self._resource_load(heads, tails))
 
     def _start(self, leaf: int) -> object:
         return ("start", self._group[leaf])
@@ -203,15 +203,33 @@ class _Bound:
             work = lag + sum(self._length[self._group[leaf]] for leaf in leaves)
             piece = (heads[self._start(leaves[0])], work, tails[self._end(leaves[-1])])
             pieces.setdefault(self._staffing.type_of_role[role], []).append(piece)
+        return max(
+            (_most(own, max(1, self._case.most_in_use(type_id))) for type_id, own in pieces.items()),
+            default=0,
+        )
+
+    def _resource_load(self, heads: dict[object, int], tails: dict[object, int]) -> int:
+        """The same of every shared resource: each robot that holds it takes one of its places for that long."""
         least = 0
-        for type_id, own in pieces.items():
-            robots = max(1, self._case.most_in_use(type_id))
-            for head in {start for start, _, _ in own[:MOST_WAYS]}:
-                work = 0
-                for _, length, tail in sorted((one for one in own if one[0] >= head), key=lambda one: -one[2]):
-                    work += length
-                    least = max(least, head - (-work // robots) + tail)
+        for resource in self._case.scene.resources:
+            pieces = [
+                (heads[self._start(leaf)], self._length[self._group[leaf]], tails[self._end(leaf)])
+                for leaf, action in self._actions.items()
+                if resource.id in action.holds
+            ]
+            least = max(least, _most(pieces, resource.capacity))
         return least
+
+
+def _most(pieces: list[tuple[int, int, int]], places: int) -> int:
+    """The largest, over earliest starts and over what must follow, of start + work within + what follows, in ticks."""
+    least = 0
+    for head in {start for start, _, _ in pieces[:MOST_WAYS]}:
+        work = 0
+        for _, length, tail in sorted((one for one in pieces if one[0] >= head), key=lambda one: -one[2]):
+            work += length
+            least = max(least, head - (-work // places) + tail)
+    return least
 
 
 def _speed(case: Case, kind: RobotType, action: Action) -> float | None:

@@ -6,7 +6,7 @@ BY_AIM = frozenset({"dinkelbach", "bottleneck", "team_partition"})
 RANKING_PROOFS = BY_AIM | {"lazy_k_best", "branch_and_bound", "pool", "enumeration", "algorithm_1", "least_use"}
 """How alternatives are ranked, and shown to be none."""
 
-BOUND_PROOFS = frozenset({"critical_path", "load", "second_formulation", "enumeration"})
+BOUND_PROOFS = frozenset({"critical_path", "load", "resource_load", "second_formulation", "enumeration"})
 """Why no schedule is shorter."""
 
 IMPOSSIBILITY_PROOFS = frozenset(
@@ -15,6 +15,7 @@ IMPOSSIBILITY_PROOFS = frozenset(
         "staffing",
         "overlap",
         "holding",
+        "sharing",
         "reachability",
         "budget_bound",
         "deadline_bound",

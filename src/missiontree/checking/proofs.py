@@ -15,7 +15,7 @@ from missiontree.checking.timetable import Timetable
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.schedule import Schedule
 
-PLAIN_BOUNDS = frozenset({"critical_path", "load"})
+PLAIN_BOUNDS = frozenset({"critical_path", "load", "resource_load"})
 """Methods that the checker's own bound is as strong as, where nothing but durations and order count; a search may show more."""
 
 MOST_ROLES = 20

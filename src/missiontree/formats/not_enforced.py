@@ -8,7 +8,7 @@ from __future__ import annotations
 DEADLINES = "deadlines and release times of entities and of single actions"
 WINDOWS = "time windows"
 RECHARGING = "recharging and chargers"
-SHARED = "shared resources with a capacity"
+SHARED = "capacities of roads, lifts, zones and entities"
 RETURN = "robots that must return"
 COMMANDS = "commands to real robots and what they report back"
 GATES = "optional tasks, rewards and gates other than 'and' and 'xor'"
@@ -28,14 +28,14 @@ _CAPACITY = {"capacity": SHARED}
 FIELDS: dict[str, dict[str, str]] = {
     "Robot": _ROBOTS,
     "RobotType": _ROBOTS,
-    "Scene": {"chargers": RECHARGING, "resources": SHARED, "doors": SHARED},
+    "Scene": {"chargers": RECHARGING},
     "Entity": {**_TIMES, **_CAPACITY},
     "Lift": _CAPACITY,
     "Road": _CAPACITY,
     "Zone": _CAPACITY,
     "RoadNode": _CAPACITY,
-    "ActionStep": {**_TIMES, "command": COMMANDS, "results": COMMANDS, "resources": SHARED, "holds": SHARED},
-    "Action": {**_TIMES, "command": COMMANDS, "results": COMMANDS, "resources": SHARED, "holds": SHARED},
+    "ActionStep": {**_TIMES, "command": COMMANDS, "results": COMMANDS},
+    "Action": {**_TIMES, "command": COMMANDS, "results": COMMANDS},
     "MissionNode": {**_WINDOWS, "k": GATES, "optional": GATES, "reward": GATES},
     "GroundedNode": {**_WINDOWS, "k": GATES, "optional": GATES, "reward": GATES},
     "MissionFile": _WINDOWS,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from difflib import get_close_matches
 from functools import cached_property
 
 from missiontree.mission.aim import Accumulate, Aim
@@ -99,6 +100,7 @@ class MissionBrief(Value):
                         f"robot type {robot_type.id!r} may enter zone {zone!r}, which the scene does not have."
                     )
         self._check_type_names(world)
+        self._check_held(world)
         self._check_terms()
 
     def _check_type_names(self, world: Scene) -> None:
@@ -111,6 +113,20 @@ class MissionBrief(Value):
             for name in types or ():
                 if name not in self.fleet.by_id:
                     raise ValueError(f"{what} names robot type {name!r}, which the fleet does not have.")
+
+    def _check_held(self, world: Scene) -> None:
+        """What routines hold by name is a shared resource of the scene; without a scene there is nothing to share."""
+        for routine in self.routines.routines if self.scene is not None else ():
+            for action in (step for way in routine.branches for role in way.roles for step in role.actions):
+                for held in action.holds:
+                    if not held.startswith("{") and held not in world.shared:
+                        near = get_close_matches(held, world.shared, n=1)
+                        known = ", ".join(world.shared) or "none; declare them under resources"
+                        raise ValueError(
+                            f"action {action.name!r} of routine {routine.id!r} holds {held!r}, which is no shared resource of the scene"
+                            + (f"; the nearest is {near[0]!r}" if near else "")
+                            + f". It has {known}. An argument stands in braces: {{door}}."
+                        )
 
     def _check_terms(self) -> None:
         object.__setattr__(self, "min_quality", checked_quality(self.min_quality))

@@ -17,7 +17,7 @@ from missiontree.mission.estimator_source import Estimated
 from missiontree.mission.reason import Reason
 from missiontree.mission.times import Window, check_times, windows_of
 from missiontree.mission.tree import LinkKind
-from missiontree.mission.value import Id, Index, NonNegative, Value
+from missiontree.mission.value import Id, Index, NonNegative, Value, require_unique
 
 NodeKind = Literal["and", "xor", "action"]
 
@@ -63,6 +63,8 @@ class Action(Value):
         Joint actions carry the same number and share start and end; None if it is not joint.
     open_ended
         It lasts ``duration_s``, or until the second node of an *until* link ends.
+    holds
+        Shared resources that its robot holds from its start to its end, each of the scene's. Default: none.
     """
 
     name: Id
@@ -81,6 +83,10 @@ class Action(Value):
     sync: Index | None = None
     open_ended: bool = False
     travel_at_least_s: NonNegative = 0.0
+    holds: tuple[Id, ...] = ()
+
+    def _check(self) -> None:
+        require_unique(f"action {self.name!r} holds: resource", self.holds)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -13,9 +13,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from missiontree.mission.pattern import Form, forms_of
-from missiontree.mission.value import Count, Id, NonNegative, Positive, Value, require_unique
+from missiontree.mission.value import ID_PATTERN, Count, Id, NonNegative, Positive, Value, require_unique
 
 _FIELD = re.compile(r"\{([^{}]*)\}")
+_HELD = re.compile(rf"{ID_PATTERN}|\{{{ID_PATTERN}\}}", re.ASCII)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -117,6 +118,9 @@ class ActionStep(Value):
         Label of joint work: actions of different roles of a branch with one label share start and end.
     open_ended
         It has no end of its own: it lasts ``duration_s``, or as an *until* link says.
+    holds
+        Shared resources that its robot holds from its start to its end: ids of the scene's ``resources``, or ``{argument}`` for the
+        entity that an argument stands for. Default: none.
     """
 
     name: Id
@@ -130,8 +134,16 @@ class ActionStep(Value):
     finds: Id | None = None
     sync: Id | None = None
     open_ended: bool = False
+    holds: tuple[str, ...] = ()
 
     def _check(self) -> None:
+        for held in self.holds:
+            if not _HELD.fullmatch(held):
+                raise ValueError(
+                    f"action {self.name!r} holds {held!r}; accepted are ids of the scene's resources, and an argument in braces: "
+                    '["lift-1", "{door}"].'
+                )
+        require_unique(f"action {self.name!r} holds: resource", self.holds)
         if self.at is not None and self.goes_to is not None:
             raise ValueError(f"action {self.name!r} has both at and goes_to; a move is only a move.")
         if self.brings and self.goes_to is None:
@@ -142,7 +154,8 @@ class ActionStep(Value):
     @property
     def mentions(self) -> tuple[str, ...]:
         """Arguments that the action names."""
-        named = [*_FIELD.findall(self.text), self.at, self.goes_to, *self.brings, self.finds]
+        held = (name for each in self.holds for name in _FIELD.findall(each))
+        named = [*_FIELD.findall(self.text), self.at, self.goes_to, *self.brings, self.finds, *held]
         return tuple(dict.fromkeys(name for name in named if name is not None and name != "robot"))
 
 

@@ -11,6 +11,7 @@ from typing import Literal
 from missiontree.mission.area import KeepOut, Zone
 from missiontree.mission.entity import Entity
 from missiontree.mission.position import Position
+from missiontree.mission.shared_resource import SharedResource
 from missiontree.mission.value import Id, NonNegative, Value, require_unique
 from missiontree.mission.ways import OccupancyGrid, RoadGraph
 
@@ -75,6 +76,9 @@ class Scene(Value):
     stock
         What the actions of a whole mission may take, whoever takes it: ``{medkits: 4}``, in the unit in which actions use it
         (``uses: {medkits: 1}``); at least 0. It is not refilled. Default: no such limit.
+    resources
+        What robots share and only so many may hold at one time: lifts, doors, chargers. They are held during the actions that name
+        them (``holds: [lift-1]``). Default: none.
     """
 
     label: str = ""
@@ -87,6 +91,7 @@ class Scene(Value):
     roads: RoadGraph | None = None
     grid: OccupancyGrid | None = None
     stock: Mapping[Id, NonNegative] = field(default_factory=dict)
+    resources: tuple[SharedResource, ...] = ()
 
     def _check(self) -> None:
         places = tuple(replace(place, kind="place") if place.kind == "object" else place for place in self.places)
@@ -97,6 +102,7 @@ class Scene(Value):
         require_unique("zone", tuple(zone.id for zone in self.zones))
         require_unique("keep-out", tuple(area.id for area in self.keep_outs))
         require_unique("frame", tuple(frame.id for frame in self.frames))
+        require_unique("shared resource", tuple(resource.id for resource in self.resources))
         for kind in self.kinds:
             self.base_kind(kind)
         for entity in self.all_entities:
@@ -144,6 +150,11 @@ class Scene(Value):
     def by_id(self) -> dict[str, Entity]:
         """Places and entities by id."""
         return {entity.id: entity for entity in self.all_entities}
+
+    @cached_property
+    def shared(self) -> dict[str, SharedResource]:
+        """Shared resources by id."""
+        return {resource.id: resource for resource in self.resources}
 
     @cached_property
     def road_points(self) -> dict[str, Position]:

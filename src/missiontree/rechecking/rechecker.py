@@ -5,7 +5,18 @@ from __future__ import annotations
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
-from missiontree.rechecking import abilities, amounts, claims, selection, staffing, times, travel, windows, worth
+from missiontree.rechecking import (
+    abilities,
+    amounts,
+    claims,
+    selection,
+    sharing,
+    staffing,
+    times,
+    travel,
+    windows,
+    worth,
+)
 from missiontree.rechecking.facts import Facts, broken
 from missiontree.rechecking.shortest import Ways
 
@@ -26,6 +37,7 @@ TIMED = (
     *times.TIME_RULES,
     *windows.WINDOW_RULES,
     *travel.TRAVEL_RULES,
+    sharing.shared_resources,
     amounts.scheduled_amounts,
     claims.bound_of_the_schedule,
 )
@@ -55,6 +67,7 @@ CORE_RULES = {
     "core_same_robot": "nodes for one robot are done by one robot",
     "core_schedules": "there is a schedule for each alternative, whole or empty as it says",
     "core_selection": "a reached XOR has one child, a reached AND all",
+    "core_shared": "a shared resource is held by no more robots at a time than it has room for",
     "core_staffing": "every role has one robot, of its type",
     "core_stock": "the mission takes no more than there is",
     "core_travel": "a robot comes from where it was, and no faster than it is",

@@ -202,12 +202,17 @@ def _renamed_action(action: FlatAction, names: Mapping[str, str], part: int, inn
             goes_to=outer(step.goes_to),
             brings=tuple(dict.fromkeys(names[name] for name in step.brings)),
             finds=outer(step.finds),
+            holds=tuple(dict.fromkeys(_renamed_hold(held, names) for held in step.holds)),
         ),
         rating=action.rating,
         sync=None if action.sync is None else f"{part}.{action.sync}",
         fields=FrozenMap({field: names[name] for field, name in action.fields.items()}),
         parts=(*action.parts, inner),
     )
+
+
+def _renamed_hold(held: str, names: Mapping[str, str]) -> str:
+    return f"{{{names[held[1:-1]]}}}" if held.startswith("{") else held
 
 
 def _renamed_need(need: Need, names: Mapping[str, str]) -> Need:

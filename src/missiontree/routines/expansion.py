@@ -15,11 +15,13 @@ from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.frozen_map import FrozenMap
 from missiontree.mission.grounded import Action, GroundedLink, GroundedNode, NodeKind, Role
+from missiontree.mission.scene import Scene
 from missiontree.mission.tree import MissionNode
 from missiontree.routines.calls import Call, Way
 from missiontree.routines.compose import FlatAction, FlatRole, Order
 from missiontree.routines.estimates import said_of
 from missiontree.routines.itinerary import Travel
+from missiontree.routines.sharing import held_by
 
 MAX_TEAMS = 10_000
 _FIELD = re.compile(r"\{([^{}]*)\}")
@@ -36,10 +38,13 @@ class Expansion:
         Whose types fill the roles.
     estimator
         What says how well, how long and how dear.
+    world
+        The scene, whose shared resources actions hold.
     """
 
     fleet: Fleet
     estimator: Estimator
+    world: Scene
     nodes: list[GroundedNode] = field(default_factory=list)
     roles: list[Role] = field(default_factory=list)
     links: list[GroundedLink] = field(default_factory=list)
@@ -159,7 +164,7 @@ class Expansion:
             role, travels = way.offer.branch.roles[index], way.travels[index, type_id]
             robot_type = self.fleet.by_id[type_id]
             actions = tuple(
-                _action(flat, robot_type, travel, call.entities, self.estimator)
+                _action(flat, robot_type, travel, call.entities, self.estimator, self.world)
                 for flat, travel in zip(role.actions, travels, strict=True)
             )
             self._prototypes[key] = (way, actions)  # the way is kept, so that its id stays its own
@@ -167,7 +172,12 @@ class Expansion:
 
 
 def _action(
-    flat: FlatAction, robot_type: RobotType, travel: Travel, entities: Mapping[str, Entity], estimator: Estimator
+    flat: FlatAction,
+    robot_type: RobotType,
+    travel: Travel,
+    entities: Mapping[str, Entity],
+    estimator: Estimator,
+    world: Scene,
 ) -> Action:
     step = flat.step
     target = step.goes_to or step.at
@@ -187,6 +197,7 @@ def _action(
         brings=tuple(dict.fromkeys(entities[name].id for name in step.brings)),
         finds=None if step.finds is None else entities[step.finds].id,
         open_ended=step.open_ended,
+        holds=held_by(step, entities, world),
         travel_at_least_s=said.alone_s if step.goes_to is not None and travel.nominal else travel.certain_s,
     )
 

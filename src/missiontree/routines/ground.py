@@ -65,7 +65,7 @@ def ground(tree: MissionTree, brief: MissionBrief, estimator: Estimator | None =
     if brief.terms.judged_by_estimator:
         calls = good_enough(calls, tree, brief, asked)
     added, notices = order_moved(tree, calls, order)
-    grounded = _grounded(tree, brief, calls, (*tree.links, *added), asked)
+    grounded = _grounded(tree, brief, world, calls, (*tree.links, *added), asked)
     return Grounding(
         tree=grounded,
         not_offered=tuple(replace(reason, node=name) for name, call in calls.items() for reason in call.not_offered),
@@ -128,9 +128,14 @@ def _world(tree: MissionTree, brief: MissionBrief) -> Scene:
 
 
 def _grounded(
-    tree: MissionTree, brief: MissionBrief, calls: Mapping[str, Call], links: tuple[Link, ...], estimator: Estimator
+    tree: MissionTree,
+    brief: MissionBrief,
+    world: Scene,
+    calls: Mapping[str, Call],
+    links: tuple[Link, ...],
+    estimator: Estimator,
 ) -> GroundedTree:
-    expansion = Expansion(brief.team, estimator)
+    expansion = Expansion(brief.team, estimator, world)
     index: dict[str, int] = {}
     for node in tree.nodes:
         parent = index[tree.parent[node.id]] if node.id in tree.parent else -1

@@ -15,6 +15,7 @@ from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.routines.arguments import check_arguments, check_resources
 from missiontree.routines.compose import FlatBranch, FlatRole, flatten
 from missiontree.routines.conditions import judge, kind_refused, quality_refused
+from missiontree.routines.sharing import too_crowded, without_limit
 from missiontree.routines.staffing import shortage
 
 
@@ -115,6 +116,7 @@ def offers_for(
     for branch in flat:
         task = f"{call} by {branch.name}" if len(flat) > 1 else call
         reason = kind_refused(branch, entities, scene, task) if check_kinds else None
+        reason = reason or too_crowded(branch, entities, scene, task)
         if reason is not None:
             refused.append(reason)
             continue
@@ -126,7 +128,7 @@ def offers_for(
             refused.append(reason)
         elif all(types):
             offered.append(BranchOffer(branch, task, types))
-            assumed += taken
+            assumed += (*taken, *without_limit(branch, entities, scene, task))
         else:
             refused += _unfilled(branch, types, task)
     return Offers(tuple(offered), tuple(dict.fromkeys(refused)), tuple(dict.fromkeys(assumed)))

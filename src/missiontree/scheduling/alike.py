@@ -27,4 +27,4 @@ def alike_roles(graph: TaskGraph, staffing: Staffing, needs: Mapping[int, Mappin
 
 def _asks(action: Action) -> object:
     nominal_s = action.duration_s if action.moves else None
-    return action.at, action.moves, action.brings, nominal_s, tuple(action.uses.items())
+    return action.at, action.moves, action.brings, nominal_s, tuple(action.uses.items()), action.holds

@@ -6,6 +6,7 @@ from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.precedence import indegrees
 from missiontree.scheduling.problem import Done, Draft, Problem, Rule
+from missiontree.scheduling.room import Hold, room_for
 from missiontree.scheduling.world_state import RobotState, WorldState
 
 
@@ -39,6 +40,7 @@ class Board:
             self.crews.setdefault(crew, []).append(role)
         self.placed: dict[int, list[tuple[int, RobotState]]] = {}  # by activity: its leaves and who does them
         self.done: dict[int, Done] = {}
+        self.held: dict[str, dict[int, Hold]] = {name: {} for name in problem.sharing.capacity}
         self.metres = 0.0
 
     def actions(self, activity: int) -> list[tuple[int, Action]]:
@@ -68,6 +70,15 @@ class Board:
         if group in self.robot_of_group:
             return self.robot_of_group[group]
         return self.world.robots[self.rule.binding[group]] if group in self.rule.binding else None
+
+    def room(self, activity: int, ready: int, length: int | None) -> int | None:
+        """When an activity finds room in all that it holds, of what length it may be; None if there is none as far as is known now."""
+        return room_for(self.problem.sharing, activity, lambda name: self.held[name].values(), ready, length)
+
+    def hold(self, activity: int, start: int, end: int | None) -> None:
+        """An activity holds what it holds, until nobody knows when if ``end`` is None."""
+        for name, robots in self.problem.sharing.demand.get(activity, {}).items():
+            self.held[name][activity] = Hold(start, end, robots)
 
     def secured(self, role: int) -> bool:
         """Whether a role has begun, or its robot is kept for it."""

@@ -1,9 +1,10 @@
 """
 Lower bounds on the makespan: no schedule of the alternative can be shorter, whichever robots are taken.
 
-Two of them. *Critical path*: the longest chain of actions that must follow each other, travel included where both ends are certain.
+Three of them. *Critical path*: the longest chain of actions that must follow each other, travel included where both ends are certain.
 *Load*: what the robots of a type must do, shared evenly among them, after the earliest that any of it can begin and before the
-least that must still follow (the subset bound of parallel machines with heads and tails).
+least that must still follow (the subset bound of parallel machines with heads and tails). *Resource load*: the same of what a shared
+resource must be held for, and the robots that it has room for.
 """
 
 from __future__ import annotations
@@ -19,9 +20,10 @@ from missiontree.mission.grounded import Action
 from missiontree.mission.position import Position
 from missiontree.mission.ticks import ticks
 from missiontree.scheduling.entries import least_entries
-from missiontree.scheduling.load import load_bound, pieces_of
+from missiontree.scheduling.load import holding_bound, load_bound, pieces_of
 from missiontree.scheduling.places import Places, Spots
 from missiontree.scheduling.precedence import TaskGraph
+from missiontree.scheduling.sharing import NOTHING_SHARED, Sharing
 from missiontree.scheduling.staffing import Staffing
 from missiontree.scheduling.trips import Spot, Trips
 
@@ -40,7 +42,7 @@ class Bounds:
     makespan
         No schedule is shorter.
     method
-        ``critical_path`` or ``load``: which bound is the largest.
+        ``critical_path``, ``load`` or ``resource_load``: which bound is the largest.
     duration
         Least duration of each activity.
     lag
@@ -69,7 +71,13 @@ class Bounds:
 
 
 def lower_bounds(
-    graph: TaskGraph, order: Sequence[int], staffing: Staffing, places: Places, fleet: Fleet, trips: Trips
+    graph: TaskGraph,
+    order: Sequence[int],
+    staffing: Staffing,
+    places: Places,
+    fleet: Fleet,
+    trips: Trips,
+    sharing: Sharing = NOTHING_SHARED,
 ) -> Bounds:
     """
     Bounds of one alternative.
@@ -84,6 +92,8 @@ def lower_bounds(
         Where actions can possibly happen.
     fleet, trips
         Robots and ways.
+    sharing
+        Shared resources and who holds them. Default: none.
     """
     travel = _Travel(graph, staffing, places, fleet, trips)
     duration = [_least_duration(graph, activity, travel) for activity in range(len(graph.activities))]
@@ -95,8 +105,9 @@ def lower_bounds(
     plain = pieces_of(graph, staffing, duration, lag, heads, tails)
     entered = pieces_of(graph, staffing, duration, lag, heads, tails, entries) if entries else []
     load = max(load_bound(plain, fleet), load_bound(entered, fleet))
-    method = "load" if load > path else "critical_path"
-    makespan = max(path, load)
+    held = holding_bound(sharing, duration, heads, tails)
+    makespan = max(path, load, held)
+    method = "critical_path" if path == makespan else "load" if load == makespan else "resource_load"
     latest = _latest(graph, order, duration, lag) if graph.deadline else []
     end = max(makespan, *graph.deadline.values()) if graph.deadline else makespan
     due = [min(end - tail, last) for tail, last in zip(tails, latest or [NEVER] * len(tails), strict=True)]

@@ -33,6 +33,7 @@ from missiontree.scheduling.precedence import task_graph
 from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.rules import rules
 from missiontree.scheduling.serial import Run
+from missiontree.scheduling.sharing import order_open_ended, sharing_of, too_crowded
 from missiontree.scheduling.staffing import staffing_conflicts, staffing_of
 from missiontree.scheduling.trips import Trips
 from missiontree.scheduling.writing import found_schedule, impossible_schedule, unknown_schedule
@@ -73,7 +74,15 @@ def read_problem(
         return "staffing", reasons
     if reasons := overlaps_of_one_robot(graph, staffing, fleet):
         return "overlap", reasons
+    sharing = sharing_of(graph, scene)
+    if reasons := too_crowded(graph, sharing, scene):
+        return "sharing", reasons
     order = order_held_roles(graph, staffing, fleet)
+    if order is not None and order_open_ended(graph, sharing, order):
+        order = order_held_roles(graph, staffing, fleet)
+        if order is None:
+            why = "A shared resource would be held while waiting for an action that needs it, too"
+            return "sharing", [cycle_reason(graph, rule="deadlock", why=why)]
     if order is None:
         why = "One robot would be held in a role while waiting for another role that only it can fill"
         return "holding", [cycle_reason(graph, rule="deadlock", why=why)]
@@ -85,14 +94,28 @@ def read_problem(
     too_much = [*budgets_exceeded(graph, staffing, fleet), *shared_exceeded(needs, shared)]
     if reasons := [*too_much, *approaches_too_dear(graph, places, trips)]:
         return "budget_bound", reasons
-    bounds = lower_bounds(graph, order, staffing, places, fleet, trips)
+    bounds = lower_bounds(graph, order, staffing, places, fleet, trips, sharing)
     if reasons := [*deadlines_out_of_reach(graph, staffing, bounds, fleet), *gone_before(graph, bounds, fleet)]:
         return "deadline_bound", reasons
     alike = alike_roles(graph, staffing, needs)
     bundles, crews, required = bundles_of(graph), crews_of(graph), terms.required_robots(fleet)
     holds, leaving = least_holds(graph, bounds), some_leave(fleet)
     return Problem(
-        graph, staffing, bounds, fleet, trips, places, bundles, crews, needs, alike, shared, required, holds, leaving
+        graph,
+        staffing,
+        bounds,
+        fleet,
+        trips,
+        places,
+        bundles,
+        crews,
+        needs,
+        alike,
+        shared,
+        required,
+        holds,
+        leaving,
+        sharing,
     )
 
 

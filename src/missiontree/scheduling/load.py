@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from missiontree.mission.fleet import Fleet
 from missiontree.scheduling.precedence import TaskGraph
+from missiontree.scheduling.sharing import Sharing
 from missiontree.scheduling.staffing import Staffing
 
 
@@ -80,6 +81,28 @@ def shares(pieces: Iterable[Piece], fleet: Fleet) -> list[tuple[list[Piece], int
 def load_bound(pieces: Iterable[Piece], fleet: Fleet) -> int:
     """The largest load bound over all types, and over all groups of roles that one robot fills."""
     return max((_shared(own, robots) for own, robots in shares(pieces, fleet)), default=0)
+
+
+def holding_bound(sharing: Sharing, duration: Sequence[int], heads: Sequence[int], tails: Sequence[int]) -> int:
+    """The largest load bound over all shared resources: each place in one is held by one robot at a time."""
+    return max(
+        (_shared(pieces, sharing.capacity[name]) for name, pieces in holds_of(sharing, duration, heads, tails).items()),
+        default=0,
+    )
+
+
+def holds_of(
+    sharing: Sharing, duration: Sequence[int], heads: Sequence[int], tails: Sequence[int]
+) -> dict[str, list[Piece]]:
+    """By shared resource, every activity that holds it as a piece of work for it: once for each robot that does."""
+    return {
+        name: [
+            Piece(-1, name, activity, heads[2 * activity], duration[activity], tails[2 * activity + 1])
+            for activity, robots in sharing.holders(name).items()
+            for _ in range(robots)
+        ]
+        for name in sharing.capacity
+    }
 
 
 def _shared(pieces: list[Piece], robots: int) -> int:

@@ -60,7 +60,7 @@ class Placing:
         self._board, self._casting, self._demands = board, casting, demands
 
     def offer(self, activity: int) -> Offer | None:
-        """The earliest start with robots that are free; None if some robot is held elsewhere."""
+        """The earliest start with robots that are free; None if some robot, or a shared resource, is held nobody knows how long."""
         board = self._board
         ready, actions = board.time[2 * activity], board.actions(activity)
         opening = [action.role for _, action in actions if not board.begun[action.role]]
@@ -80,9 +80,14 @@ class Placing:
         start = ready
         for _, action in actions:
             start = max(start, self._arrival(robots[action.role], action, ready), board.world.not_before(action))
-        if activity in board.least_end:
+        if activity in board.least_end or activity in board.problem.sharing.demand:
             trips = {leaf: self._demands.trip(robots[action.role].spot, action) for leaf, action in actions}
-            start = max(start, board.least_end[activity] - length(board, activity, trips))
+            lasts = length(board, activity, trips)
+            start = max(start, board.least_end.get(activity, 0) - lasts)
+            found = board.room(activity, start, None if activity in board.graph.until else lasts)
+            if found is None:
+                return None
+            start = found
         return Offer(start, robots, {role: chosen[role] for role in mates})
 
     def stand_in(self, activity: int, free: int) -> object | None:

@@ -12,6 +12,7 @@ from missiontree.scheduling.bounds import Bounds
 from missiontree.scheduling.bundles import Bundles
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import TaskGraph
+from missiontree.scheduling.sharing import NOTHING_SHARED, Sharing
 from missiontree.scheduling.staffing import Staffing
 from missiontree.scheduling.trips import Trip, Trips
 
@@ -41,6 +42,8 @@ class Problem:
         Ticks that each role holds its robot at least, a move at its beginning left out.
     leaving
         Whether some robot leaves before the end. Default false.
+    sharing
+        Shared resources that are scarce, and who holds them. Default none.
     """
 
     graph: TaskGraph
@@ -57,6 +60,7 @@ class Problem:
     required: tuple[str, ...] = ()
     holds: Mapping[int, int] = field(default_factory=dict)
     leaving: bool = False
+    sharing: Sharing = NOTHING_SHARED
 
 
 @dataclass(frozen=True, slots=True)

@@ -48,6 +48,7 @@ class Queues:
         self._queues: dict[str, Queue] = {}
         self._list: list[Queue] = []
         self._aside: dict[str, dict[int, None]] = {}  # by type: roles that found not all the robots they need
+        self._blocked: dict[int, None] = {}  # activities that found no room in a shared resource
 
     def __bool__(self) -> bool:
         return bool(self._heap)
@@ -89,6 +90,17 @@ class Queues:
             if name in self._queues:
                 self.call(self._queues[name])
 
+    def make_room(self) -> None:
+        """A shared resource is known to be free again: what found no room in one comes up anew."""
+        blocked, self._blocked = self._blocked, {}
+        for activity in blocked:
+            if activity in self._board.placed:
+                continue
+            if self._board.opening(activity):
+                self.line_up(activity)
+            else:
+                self.under_way(activity)
+
     def _queue_of(self, activity: int) -> Queue:
         role = self._board.opening(activity)[0]
         robot, type_id = self._board.bound(role), self._board.staffing.type_of[role]
@@ -105,9 +117,13 @@ class Queues:
         return self._pool.free_from(queue.type_id)
 
     def _go_on(self, time: int, activity: int, place: Callable[[int, Offer], None]) -> None:
+        if activity in self._board.placed:
+            return
         offer = self._placing.offer(activity)
-        assert offer is not None, "robots in their roles are there"
-        if offer.start > time:
+        if offer is None:
+            assert activity in self._board.problem.sharing.demand, "robots in their roles are there"
+            self._blocked[activity] = None
+        elif offer.start > time:
             heapq.heappush(self._heap, (offer.start, 0, activity))
         else:
             place(activity, offer)
@@ -170,5 +186,7 @@ class Queues:
 
     def _put_aside(self, activity: int) -> None:
         board = self._board
+        if activity in board.problem.sharing.demand:
+            self._blocked[activity] = None
         for mate in board.crews[board.crew_of[board.role(activity)]]:
             self._aside.setdefault(board.staffing.type_of[mate], {})[activity] = None

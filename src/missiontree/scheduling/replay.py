@@ -21,6 +21,7 @@ from missiontree.scheduling.mission_terms import terms_broken
 from missiontree.scheduling.placing import length
 from missiontree.scheduling.precedence import indegrees
 from missiontree.scheduling.problem import Done, Draft, Problem, Rule
+from missiontree.scheduling.room import peak
 from missiontree.scheduling.stuck import StuckError
 from missiontree.scheduling.trips import Trip
 
@@ -97,7 +98,14 @@ class _Replay:
                 missing[after] -= 1
                 if not missing[after]:
                     heapq.heappush(ready, after)
-        return board.draft(()) if seen == len(missing) else None
+        return board.draft(()) if seen == len(missing) and self._room_kept() else None
+
+    def _room_kept(self) -> bool:
+        """Whether shared resources have room for all who hold them."""
+        return all(
+            peak(list(held.values()), 0) <= self._board.problem.sharing.capacity[name]
+            for name, held in self._board.held.items()
+        )
 
     def _begin(self, activity: int) -> None:
         board, actions = self._board, self._board.actions(activity)
@@ -124,11 +132,13 @@ class _Replay:
         board.placed[activity] = [(leaf, robots[leaf]) for leaf, _ in actions]
         board.time[2 * activity] = start
         board.time[2 * activity + 1] = max(board.time[2 * activity + 1], end)
+        board.hold(activity, start, end)
         for one in self._under_way.get(activity, ()):
             board.least_end[one] = max(board.least_end.get(one, 0), start + 1)
 
     def _finish(self, activity: int) -> None:
         board, end = self._board, self._board.time[2 * activity + 1]
+        board.hold(activity, board.time[2 * activity], end)
         for leaf, robot in board.placed[activity]:
             if board.done[leaf].end != end:
                 board.done[leaf] = replace(board.done[leaf], end=end)

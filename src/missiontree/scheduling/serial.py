@@ -136,6 +136,7 @@ class Run:
         board.placed[activity] = [(leaf, offer.robots[action.role]) for leaf, action in actions]
         board.time[2 * activity] = offer.start
         board.time[2 * activity + 1] = max(board.time[2 * activity + 1], end)
+        board.hold(activity, offer.start, None if activity in self._graph.until else end)
         for role in offer.mates:
             first = board.first(role)
             if not board.missing[2 * first] and first not in board.placed and not self._under_way.holds(first):
@@ -158,6 +159,9 @@ class Run:
     def _finish(self, activity: int) -> None:
         """The end of an activity is known: its robots are there from then on, and free if the role is over."""
         board, end = self._board, self._board.time[2 * activity + 1]
+        if activity in self._graph.until and activity in board.problem.sharing.demand:
+            board.hold(activity, board.time[2 * activity], end)
+            self._queues.make_room()
         released: list[RobotState] = []
         bundles: list[int] = []
         for leaf, robot in board.placed[activity]:

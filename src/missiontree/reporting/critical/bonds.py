@@ -8,15 +8,27 @@ time and what has to pass in between, a way or an action. It is *bound* by a cau
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Literal, NamedTuple
 
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.shared_resource import SharedResource
 from missiontree.reporting.critical.spans import Spans, ms
 
 Bond = Literal[
-    "start", "role", "travel", "robot", "order", "entity", "partner", "until", "under_way", "release", "unexplained"
+    "start",
+    "role",
+    "travel",
+    "robot",
+    "order",
+    "entity",
+    "resource",
+    "partner",
+    "until",
+    "under_way",
+    "release",
+    "unexplained",
 ]
 Passing = Literal["", "action", "travel", "under_way"]
 
@@ -60,10 +72,13 @@ class Bonds:
         The grounded tree.
     schedule
         A schedule over its leaves.
+    resources
+        Shared resources of the scene. Default: none.
     """
 
-    def __init__(self, tree: GroundedTree, schedule: Schedule) -> None:
+    def __init__(self, tree: GroundedTree, schedule: Schedule, resources: Iterable[SharedResource] = ()) -> None:
         self.tree = tree
+        self.shared = {resource.id: resource for resource in resources}
         self.at: dict[int, ScheduledAction] = {one.leaf: one for one in schedule.actions}
         self.legs: dict[int, TravelLeg] = {leg.leaf: leg for leg in schedule.legs if self._leads(leg)}
         self._before: dict[int, int] = {}  # what stands before an action in its role
@@ -71,6 +86,7 @@ class Bonds:
         self._robots: dict[str, list[tuple[int, int, int]]] = {}  # end, start, leaf
         self._brought: dict[str, list[int]] = {}  # leaves that move an entity
         self._used: dict[str, list[int]] = {}  # leaves done where an entity is
+        self._held_by: dict[str, list[int]] = {}  # leaves that hold a shared resource
         self._sort_leaves()
         self._spans = Spans(tree, self.at)
         self._held = self._spans.inherited("precedence")
@@ -140,6 +156,7 @@ class Bonds:
             yield Cause("order", Event("end", last))
         yield from self._free(event)
         yield from self._entities(event)
+        yield from self._resources(event)
         for open_ended in self._keeps.get(leaf, ()):
             if leaf in self._ended_by:
                 yield Cause("under_way", Event("start", open_ended), 1, "under_way")
@@ -171,6 +188,16 @@ class Bonds:
                 if leaf not in mates and self.time(Event(kind, leaf)) <= now:
                     yield Cause("entity", Event(kind, leaf))
 
+    def _resources(self, event: Event) -> Iterator[Cause]:
+        """Who was the last to hold a shared resource that had no room until then."""
+        now, mates = self.time(event), self.joint(event.leaf)
+        for name in self.tree.action(event.leaf).holds:
+            wanted = sum(name in self.tree.action(mate).holds for mate in mates)
+            others = [leaf for leaf in self._held_by.get(name, ()) if leaf not in mates]
+            before = [leaf for leaf in others if ms(self.at[leaf].start_s) < now <= ms(self.at[leaf].end_s)]
+            if name in self.shared and len(before) + wanted > self.shared[name].capacity:
+                yield from (Cause("resource", Event("end", leaf)) for leaf in before if ms(self.at[leaf].end_s) == now)
+
     def _leads(self, leg: TravelLeg) -> bool:
         """Whether a leg leads to a scheduled action and is not that action itself."""
         return leg.leaf in self.at and not self.tree.action(leg.leaf).moves
@@ -187,6 +214,8 @@ class Bonds:
                 self._joint.setdefault(action.sync, []).append(leaf)
             if action.at is not None:
                 self._used.setdefault(action.at, []).append(leaf)
+            for name in action.holds:
+                self._held_by.setdefault(name, []).append(leaf)
             for name in action.brings:
                 self._brought.setdefault(name, []).append(leaf)
         for done in self._robots.values():

@@ -8,11 +8,13 @@ schedule). Shares no code with the schedulers.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Literal
 
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.shared_resource import SharedResource
 from missiontree.reporting.critical.bonds import Bond, Bonds, Cause, Event
 from missiontree.reporting.critical.spans import ms
 
@@ -39,7 +41,8 @@ class Step:
     bond
         Why it does not start earlier: ``start`` of the mission; the step before it is what its ``role`` or its ``robot`` does
         before, the ``travel`` there, an action that comes first by ``order``, one that brings or needs the same ``entity``, one
-        that its joint ``partner`` waits for, or what it lasts ``until``; or its ``release`` time; or ``unexplained``.
+        that held a shared ``resource``, one that its joint ``partner`` waits for, or what it lasts ``until``; or its ``release``
+        time; or ``unexplained``.
     """
 
     kind: StepKind
@@ -50,14 +53,16 @@ class Step:
     bond: Bond
 
 
-def critical_chain(tree: GroundedTree, schedule: Schedule) -> tuple[Step, ...]:
+def critical_chain(
+    tree: GroundedTree, schedule: Schedule, resources: Iterable[SharedResource] = ()
+) -> tuple[Step, ...]:
     """
     A critical chain, in order of time: contiguous, from 0 to the end of the last action.
 
     There may be several; ties go to the same role first, then to travel, order, robot and the smaller leaf. In a schedule that
     waits without a reason, the chain has a step of kind ``wait`` there. Empty if nothing takes time.
     """
-    bonds = Bonds(tree, schedule)
+    bonds = Bonds(tree, schedule, resources)
     end = max((ms(one.end_s) for one in schedule.actions), default=0)
     last = min((leaf for leaf, one in bonds.at.items() if ms(one.end_s) == end), default=None)
     if last is None or not end:

@@ -24,8 +24,9 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
     """What there is to see of a schedule that has actions."""
     assert plan.grounding is not None
     tree = plan.grounding.tree
-    chain = critical_chain(tree, schedule)
-    bonds = Bonds(tree, schedule)
+    resources = plan.brief.world.resources
+    chain = critical_chain(tree, schedule, resources)
+    bonds = Bonds(tree, schedule, resources)
     own: dict[str, list[ScheduledAction]] = {}
     for one in bonds.at.values():
         own.setdefault(one.robot, []).append(one)

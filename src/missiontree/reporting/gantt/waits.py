@@ -6,7 +6,7 @@ from missiontree.reporting.critical.bonds import Bonds, Cause, Event
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.gantt.time import exact
 
-_TOLD = ("order", "entity", "partner", "under_way")
+_TOLD = ("order", "entity", "resource", "partner", "under_way")
 
 
 def why_waited(bonds: Bonds, leaf: int) -> str:
@@ -16,7 +16,7 @@ def why_waited(bonds: Bonds, leaf: int) -> str:
     cause = min(told, key=lambda cause: _TOLD.index(cause.bond), default=None)
     if cause is None and bonds.released(Event("start", leaf)):
         return f"until it may start, at {exact(bonds.at[leaf].start_s)}"
-    return "" if cause is None else _told(bonds, cause)
+    return "" if cause is None else _told(bonds, cause, leaf)
 
 
 def _binding(bonds: Bonds, event: Event) -> list[Cause]:
@@ -31,10 +31,22 @@ def _idle_partner(bonds: Bonds, cause: Cause) -> bool:
     return all(deeper.bond == "partner" for deeper in _binding(bonds, cause.event))
 
 
-def _told(bonds: Bonds, cause: Cause) -> str:
+def _told(bonds: Bonds, cause: Cause, leaf: int) -> str:
     text, who = one_line(bonds.tree.action(cause.event.leaf).text), bonds.at[cause.event.leaf].robot
     if cause.bond == "partner":
         return f"for {who}, to do it together"
+    if cause.bond == "resource":
+        return f"for {_shared(bonds, leaf, cause)}, which {who} holds: {text}"
     if cause.bond == "under_way":
         return f"until {who} has begun: {text}"
     return f"for {who}: {text}"
+
+
+def _shared(bonds: Bonds, leaf: int, cause: Cause) -> str:
+    """What two actions both hold, by its label."""
+    held = {*bonds.tree.action(cause.event.leaf).holds}
+    return " and ".join(
+        one_line(bonds.shared[name].label)
+        for name in bonds.tree.action(leaf).holds
+        if name in held & bonds.shared.keys()
+    )

@@ -13,15 +13,17 @@ from missiontree.mission.control import never
 from missiontree.scheduling.course import Course
 from missiontree.scheduling.cpsat.crew import Crew, crews, uses_of
 from missiontree.scheduling.cpsat.heads import Spans, add_heads
-from missiontree.scheduling.cpsat.model import FAR, Linear, Model, negated
+from missiontree.scheduling.cpsat.model import FAR, Affine, Linear, Model, negated
 from missiontree.scheduling.cpsat.ordering import Ordering
 from missiontree.scheduling.cpsat.placing import Stations
+from missiontree.scheduling.cpsat.shared import add_sharing
 from missiontree.scheduling.cpsat.staff import MOST_FACTOR, Staff, least_whole, scale_of, whole
 from missiontree.scheduling.cpsat.things import Things
 from missiontree.scheduling.cpsat.times import Times
 from missiontree.scheduling.cpsat.tours import Tours
 from missiontree.scheduling.cpsat.travel import Distances, Legs
 from missiontree.scheduling.problem import Draft, Problem
+from missiontree.scheduling.room import rank_of, turns
 
 
 class Formulation:
@@ -65,6 +67,7 @@ class Formulation:
             else:
                 self.heads.append((crew, add_heads(model, problem, crew, spans)))
         self._add_totals()
+        add_sharing(model, problem, self.times)
         self.minimise_makespan()
 
     def minimise_makespan(self) -> None:
@@ -130,7 +133,14 @@ class Formulation:
             for role, name in self._hand_out(crew, staff, values).items():
                 robots[role] = name
                 tours.setdefault(name, []).append(role)
-        return Course(robots, tours, *self._order_of_things(values), self._under_way(values))
+        after_end, after_start = self._order_of_things(values)
+        return Course(robots, tours, after_end + self._turns(values), after_start, self._under_way(values))
+
+    def _turns(self, values: list[int]) -> list[tuple[int, int]]:
+        """Who waits for whom at shared resources."""
+        sharing, times = self.problem.sharing, self.times
+        spans = {one: (_when(times.start[one], values), _when(times.end[one], values)) for one in sharing.demand}
+        return turns(sharing, spans, rank_of(self.problem.graph)) if sharing else []
 
     def _hand_out(self, crew: Crew, staff: Staff | None, values: list[int]) -> dict[int, str]:
         """Robots of roles in order of their starts: those that were named, else the first that is free (interval colouring)."""
@@ -151,7 +161,7 @@ class Formulation:
         graph = self.problem.graph
         first, last = (graph.activity_of[graph.roles[role][end]] for end in (0, -1))
         start, end = self.times.start[first], self.times.end[last]
-        return _at(start.var, values) + start.offset, _at(end.var, values) + end.offset
+        return _when(start, values), _when(end, values)
 
     def _order_of_things(self, values: list[int]) -> tuple[list[tuple[int, int]], list[tuple[int, int]]]:
         after_end: list[tuple[int, int]] = []
@@ -175,5 +185,5 @@ class Formulation:
         return bool(values[literal]) if literal >= 0 else not values[negated(literal)]
 
 
-def _at(variable: int | None, values: list[int]) -> int:
-    return 0 if variable is None else values[variable]
+def _when(time: Affine, values: list[int]) -> int:
+    return time.offset + (0 if time.var is None else values[time.var])

@@ -69,10 +69,11 @@ class NoOverlap(NamedTuple):
 
 
 class Cumulative(NamedTuple):
-    """At no time are more of the intervals under way than ``capacity``."""
+    """At no time do the intervals under way ask for more than ``capacity``; each asks for its demand, or for 1 if none is given."""
 
     intervals: tuple[int, ...]
     capacity: int
+    demands: tuple[int, ...] = ()
 
 
 class Routes(NamedTuple):

@@ -3,8 +3,8 @@ A second formulation, to agree or disagree with the first: can everything be ove
 
 It has nothing in common with the first but the problem. There are no intervals, no cumulative resources and no tours: only, for every
 two roles that one robot could fill, the choice of which comes first. Travel between two roles is the least over all chains of legs and
-all spots where they may be done, and every action takes its least time. So it asks for less than the mission does; where even that
-cannot be, nothing can.
+all spots where they may be done, and every action takes its least time. Of shared resources only what finds no room beside each other
+is kept apart. So it asks for less than the mission does; where even that cannot be, nothing can.
 """
 
 from __future__ import annotations
@@ -65,6 +65,7 @@ class SecondForm:
         for open_ended, ones in sorted(self._graph.until.items()):
             self._under_way(open_ended, sorted(ones))
         self._ordering = Ordering(model, problem)
+        self._share()
         sizes = [len(crew.roles) ** 2 * (len(crew.members) + 2) for crew in crews(problem)]
         self.too_large = sum(sizes) > MOST_LITERALS
         if not self.too_large:
@@ -85,6 +86,14 @@ class SecondForm:
             self.model.at_least(self._at[2 * one + 1], self._at[2 * open_ended], 1, (literal,))
         if ones:
             self.model.clause(*literals)
+
+    def _share(self) -> None:
+        """Of two activities that find no room beside each other in a shared resource, one comes first."""
+        sharing = self._problem.sharing
+        for first, second in sorted({pair for name in sharing.capacity for pair in sharing.rivals(name)}):
+            for before, after in ((first, second), (second, first)):
+                literal = self._ordering.before(before, after)
+                self.model.at_least(self._at[2 * after], self._at[2 * before + 1], 0, (literal,))
 
     def _one_at_a_time(self, crew: Crew, over: Callable[[], bool]) -> None:
         model, group_of, ways = self.model, self._problem.staffing.group_of, _Ways(self._problem, crew)

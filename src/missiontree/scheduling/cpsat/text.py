@@ -45,8 +45,8 @@ def _constraint(one: Constraint) -> str:
             return f"{_when(when)}interval {{ {inside} }}"
         case NoOverlap(intervals):
             return f"no_overlap {{ {_all('intervals', intervals)} }}"
-        case Cumulative(intervals, capacity):
-            demands = " ".join(["demands { offset: 1 }"] * len(intervals))
+        case Cumulative(intervals, capacity, asked):
+            demands = " ".join(f"demands {{ offset: {one} }}" for one in asked or [1] * len(intervals))
             return f"cumulative {{ capacity {{ offset: {capacity} }} {_all('intervals', intervals)} {demands} }}"
         case Routes(arcs):
             tails, heads, literals = zip(*arcs, strict=True)

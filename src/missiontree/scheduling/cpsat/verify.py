@@ -46,9 +46,13 @@ def _kept(model: Model, one: Constraint, values: Sequence[int]) -> bool:
         case NoOverlap(intervals):
             spans = sorted(_spans(model, intervals, values))
             return all(before[1] <= after[0] for before, after in itertools.pairwise(spans))
-        case Cumulative(intervals, capacity):
-            spans = _spans(model, intervals, values)
-            return all(sum(s <= start < e for s, e in spans) <= capacity for start, _ in spans)
+        case Cumulative(intervals, capacity, asked):
+            asking = [
+                (*span, demand)
+                for number, demand in zip(intervals, asked or (1,) * len(intervals), strict=True)
+                for span in _spans(model, (number,), values)
+            ]
+            return all(sum(d for s, e, d in asking if s <= start < e) <= capacity for start, _, _ in asking)
         case Routes(arcs):
             return _tours([(tail, head) for tail, head, literal in arcs if _holds(literal, values)], arcs)
 

@@ -5,7 +5,8 @@ Activities are put down one after the other, each as early as it can be after wh
 is tried, but for what cannot beat the best and for what only repeats another trial: equal robots that have done nothing yet, and orders
 in which a later choice starts earlier. That loses nothing. Of the best schedules take one with the least sum of starts, and put its
 activities down in order of their starts (one that must wait for an open-ended action to have begun, after that action): each comes to
-stand where it stood, or the sum was not the least.
+stand where it stood, or the sum was not the least. Shared resources change nothing of this: what starts a little earlier takes room there
+only before the starts of all that is put down later. What takes no time is an exception at the same tick; it may be put down first.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from missiontree.scheduling.enumeration.state import State
 from missiontree.scheduling.impossible import TOLERANCE
 from missiontree.scheduling.precedence import indegrees
 from missiontree.scheduling.problem import Problem
+from missiontree.scheduling.room import Hold, room_for, turns
 from missiontree.scheduling.trips import Spot, Trip
 
 MOST_CHOICES = 64
@@ -108,7 +110,7 @@ class Trying:
         number = 1
         for way in ways:
             number *= max(1, len(way))
-        if number > MOST_CHOICES or len(self._actions) > MOST_ACTIVITIES:
+        if number > MOST_CHOICES or len(self._actions) > MOST_ACTIVITIES or self._out_of_turn():
             return Tried(False, None, 0)
         try:
             for chosen in product(*(way or [-1] for way in ways)):
@@ -122,6 +124,11 @@ class Trying:
         except _EnoughError:
             return Tried(False, self._best, self._steps)
         return Tried(True, self._best, self._steps)
+
+    def _out_of_turn(self) -> bool:
+        """Whether what sets the end of an open-ended action holds a shared resource: it may be put down after what starts later."""
+        sharing = self._problem.sharing
+        return any(one in sharing.demand for ends in self._graph.until.values() for one in ends)
 
     def _begin(self) -> State:
         problem, left = self._problem, dict[tuple[str, str], float]()
@@ -303,7 +310,24 @@ class Trying:
             length = 0
         for one in self._waits.get(activity, ()):
             start = max(start, state.starts[one] + 1 - length)
-        return start, length, trips
+        room = self._room(state, activity, start, None if activity in self._graph.until else length)
+        return (0, 0, None) if room is None else (room, length, trips)
+
+    def _room(self, state: State, activity: int, start: int, length: int | None) -> int | None:
+        """When there is room in what it holds; None if that is not known before something else is over."""
+        sharing = self._problem.sharing
+        if activity not in sharing.demand:
+            return start
+
+        def held(name: str) -> list[Hold]:
+            taken = ((one, robots) for one, robots in sharing.holders(name).items() if one in state.starts)
+            return [Hold(state.starts[one], self._known_end(state, one), robots) for one, robots in taken]
+
+        return room_for(sharing, activity, held, start, length)
+
+    def _known_end(self, state: State, activity: int) -> int | None:
+        event = 2 * activity + 1
+        return None if state.missing[event] else state.time[event]
 
     def _thing(self, state: State, name: str) -> tuple[Spot, int, int]:
         found = state.things.get(name)
@@ -372,6 +396,10 @@ class Trying:
                 begun = self._begun_is_enough(first, second)
                 if begun is not None:
                     (after_start if begun else after_end).append((first, second))
+        if self._problem.sharing:
+            spans = {one: (state.time[2 * one], state.time[2 * one + 1]) for one in self._problem.sharing.demand}
+            rank = {one: place for place, one in enumerate(state.placed)}
+            after_end += turns(self._problem.sharing, spans, rank)
         return Course(robots, tours, after_end, after_start, dict(self._under_way))
 
     def _begun_is_enough(self, first: int, second: int) -> bool | None:

@@ -1,0 +1,120 @@
+"""When there is room in a shared resource, given who holds it already."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from missiontree.scheduling.precedence import TaskGraph
+from missiontree.scheduling.sharing import Sharing
+
+
+class Hold(NamedTuple):
+    """From when to when (ticks) so many robots hold a resource; None if nobody knows yet how long."""
+
+    start: int
+    end: int | None
+    robots: int
+
+
+def first_room(holds: Iterable[Hold], capacity: int, wanted: int, ready: int, length: int | None) -> int | None:
+    """
+    The first tick from which so many more robots find room for so long.
+
+    Parameters
+    ----------
+    holds
+        Who holds it.
+    capacity, wanted
+        How many robots may hold it, and how many more are to.
+    ready
+        Not before.
+    length
+        For how many ticks; None if nobody knows, so that there must be room from then on for good. What takes no time finds no
+        room strictly inside what fills the resource.
+
+    Returns
+    -------
+    int or None
+        None if there is none as far as is known now.
+    """
+    taken = [hold for hold in holds if hold.end is None or hold.end >= ready]
+    for start in sorted({ready, *(hold.end for hold in taken if hold.end is not None)}):
+        end = None if length is None else start + length
+        if peak([hold for hold in taken if _meet(hold, start, end)], start) + wanted <= capacity:
+            return start
+    return None
+
+
+def peak(holds: Sequence[Hold], since: int) -> int:
+    """The most robots that ever hold a resource at one time from a tick on."""
+    most = 0
+    for one in holds:
+        moment = max(one.start, since)
+        instant = one.end == moment
+        among = 0
+        for hold in holds:
+            began = hold.start < moment or (hold.start == moment and not instant)
+            lasts = hold.end is None or hold.end > moment
+            if hold is one or (began and lasts):
+                among += hold.robots
+        most = max(most, among)
+    return most
+
+
+def _meet(hold: Hold, start: int, end: int | None) -> bool:
+    return (hold.end is None or start < hold.end) and (end is None or hold.start < end)
+
+
+def room_for(
+    sharing: Sharing, activity: int, held: Callable[[str], Iterable[Hold]], ready: int, length: int | None
+) -> int | None:
+    """The first tick at which an activity finds room in everything that it holds; None if in something there is none as yet."""
+    wanted: Mapping[str, int] = sharing.demand.get(activity, {})
+    while wanted:
+        start = ready
+        for name, robots in wanted.items():
+            found = first_room(held(name), sharing.capacity[name], robots, start, length)
+            if found is None:
+                return None
+            start = found
+        if start == ready:
+            break
+        ready = start
+    return ready
+
+
+def rank_of(graph: TaskGraph) -> dict[int, int]:
+    """A rank for each activity, such that none stands before one that must be over before it."""
+    starts = [event // 2 for event in graph.order() or () if event % 2 == 0 and event // 2 < len(graph.activities)]
+    return {activity: rank for rank, activity in enumerate(starts)}
+
+
+def turns(sharing: Sharing, spans: Mapping[int, tuple[int, int]], rank: Mapping[int, int]) -> list[tuple[int, int]]:
+    """
+    Who waits for whom at shared resources, so that the same order is kept whatever the times: pairs of activities, the second starts no
+    sooner than the first has ended.
+
+    Each place in a resource is passed on from one holder to the next (interval colouring), in order of the starts.
+
+    Parameters
+    ----------
+    sharing
+        Who holds what.
+    spans
+        Start and end of every activity.
+    rank
+        Which comes first of two that start and end together.
+    """
+    pairs: dict[tuple[int, int], None] = {}
+    for name, capacity in sharing.capacity.items():
+        holders = sharing.holders(name)
+        places: list[tuple[int, int]] = [(0, -1)] * capacity  # from when each is free, and who was there last
+        for activity in sorted(holders, key=lambda one: (*spans[one], rank[one])):
+            start, end = spans[activity]
+            places.sort(key=lambda place, start=start: (max(0, place[0] - start), -place[0], place[1]))  # type: ignore[misc]
+            for number in range(min(capacity, holders[activity])):
+                if places[number][1] >= 0:
+                    pairs[places[number][1], activity] = None
+                places[number] = (end, activity)
+    return list(pairs)
