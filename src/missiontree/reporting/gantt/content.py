@@ -75,6 +75,27 @@ class Order(NamedTuple):
     to_end: bool = False
 
 
+class Hold(NamedTuple):
+    """A robot that holds a shared resource, how it looks, and in which line of the resource's row that is told."""
+
+    start_s: float
+    end_s: float
+    robot: str
+    livery: Livery
+    lane: int
+    title: str
+
+
+@dataclass(frozen=True, slots=True)
+class SharedRow:
+    """A shared resource: its name, how many robots it has room for, how many hold it at once at most, and who does when."""
+
+    name: str
+    capacity: int
+    lanes: int
+    holds: Sequence[Hold]
+
+
 @dataclass(frozen=True, slots=True)
 class Content:
     """
@@ -96,6 +117,8 @@ class Content:
         Actions that start and end together.
     deadline_s
         By when the mission must have ended; None (default) means no deadline.
+    shared
+        Shared resources that are held, in the order of the scene. Default: none.
     """
 
     rows: Sequence[Row]
@@ -105,3 +128,4 @@ class Content:
     orders: Sequence[Order]
     joint: Sequence[Sequence[int]]
     deadline_s: float | None = None
+    shared: Sequence[SharedRow] = ()

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
-from missiontree.reporting.gantt import axis
+from missiontree.reporting.gantt import axis, shared
 from missiontree.reporting.gantt.bars import bands, stripe_lines, strokes, words_of
 from missiontree.reporting.gantt.content import Bar, Content, Row
 from missiontree.reporting.gantt.dues import flags
@@ -67,7 +67,9 @@ class Chart:
         top = head_bottom + axis.HEIGHT
         under = [any(word.spot in {"tag", "way", "aside"} for word in words) for words in self.words]
         stand = places(self.rows, under, top, self.density)
-        bottom = stand[-1].bottom
+        robots_bottom = stand[-1].bottom
+        common = shared.drawn(self.content.shared)
+        bottom = robots_bottom + sum(shared.height_of(row) for row in common)
         below, height = self._below(bottom + 10.0)
         yield opening(
             self.width,
@@ -87,7 +89,9 @@ class Chart:
             yield text(MARGIN, y, line, size=UNDER, fill=MUTED, kind="mt-muted")
         yield from axis.hairlines(self.scale, top - 4, bottom)
         yield from (rule(place.top, self.width) for place in stand)
-        yield rule(bottom, self.width)
+        yield rule(robots_bottom, self.width)
+        if common:
+            yield rule(bottom, self.width)
         yield from self._bands(stand)
         yield axis.end_line(self.scale, top - 4, bottom)
         yield from self._bridges(stand)
@@ -100,6 +104,7 @@ class Chart:
             yield from words_of(words, row, where)
             yield from self._name(row, where)
             yield "</g>"
+        yield from shared.lines(common, self.scale, robots_bottom, self.prefix, self.density.name_size)
         yield from self._washes(stand)
         yield from (arrow.head for arrow in arrows)
         yield from axis.labels(self.scale, top - 10)

@@ -15,6 +15,7 @@ from missiontree.reporting.critical.spans import ms
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.gantt.content import Bar, Content, Order, Row, Stretch
 from missiontree.reporting.gantt.dues import dues_of, times_of
+from missiontree.reporting.gantt.shared import shared_rows
 from missiontree.reporting.gantt.time import exact
 from missiontree.reporting.gantt.waits import why_waited
 from missiontree.reporting.palette import Livery, liveries
@@ -50,6 +51,7 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
         list(_orders(tree, bonds, chain)),
         joint,
         tree.nodes[0].deadline_s,
+        shared_rows(tree, bonds.at.values(), resources, looks),
     )
 
 

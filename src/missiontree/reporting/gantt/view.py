@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
-from missiontree.reporting.gantt import axis
+from missiontree.reporting.gantt import axis, shared
 from missiontree.reporting.gantt.content import Bar, Content, Row
 from missiontree.reporting.gantt.labels import MAX_NOTES, Letterer
 from missiontree.reporting.gantt.layout import MARGIN, MAX_ROWS, Scale, density_of, gutter_of, shown
@@ -22,8 +22,9 @@ def gantt_svg(plan: Plan, rank: int, *, width: float = 1100.0) -> str:
 
     Robots are rows, in the order of the fleet. A role is a soft band, an action a bar in the hue of its robot, a way is striped,
     waiting is dotted and says for what. Joint work is joined across rows; arrows tell what comes first where robots differ, on
-    one row that is left to right. The critical chain is outlined and marked. Every bar carries its exact times as a
-    title. Equal plans give equal bytes. Beyond 200 robots or 2,000 actions the picture sums up, and says so.
+    one row that is left to right. Shared resources stand below the robots, with who holds them when. The critical chain is
+    outlined and marked. Every bar carries its exact times as a title. Equal plans give equal bytes. Beyond 200 robots or 2,000
+    actions the picture sums up, and says so.
 
     Parameters
     ----------
@@ -51,7 +52,7 @@ def gantt_svg(plan: Plan, rank: int, *, width: float = 1100.0) -> str:
 def _chart(plan: Plan, schedule: Schedule, width: float, prefix: str) -> Chart:
     content = content_of(plan, schedule)
     density = density_of(min(len(content.rows), MAX_ROWS))
-    left = MARGIN + gutter_of(content.rows, density)
+    left = MARGIN + max(gutter_of(content.rows, density), shared.gutter_of(content.shared))
     right = width - MARGIN - axis.end_width(content.makespan_s) / 2
     scale = Scale(left, right, content.makespan_s)
     drawn = shown(content, scale)
@@ -65,7 +66,7 @@ def _chart(plan: Plan, schedule: Schedule, width: float, prefix: str) -> Chart:
     for at, (row, one) in enumerate(zip(drawn.rows, lettered, strict=True)):
         own = {index: number for (where, index), number in numbers.items() if where == at}
         words.append([*one.words, *(letterer.numbered(row, own, goals[at]) if density.notes else ())])
-    said = list(drawn.said)
+    said = [*drawn.said, *shared.words_for(content.shared)]
     if len(unfit) > len(longest):
         said.append(
             f"{len(unfit) - len(longest):,} shorter actions have no number; every bar tells its words as a tooltip"

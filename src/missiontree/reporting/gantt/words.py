@@ -56,7 +56,14 @@ def description(content: Content) -> str:
         roles = [*roles[:_MOST_ROLES], f"And {len(roles) - _MOST_ROLES} more roles."]
     robots = list(dict.fromkeys(step.robot for step in content.chain))
     chain = f" The critical chain runs through {', '.join(robots[:20])}." if robots else ""
-    return f"Robots as rows, time to the right, done after {exact(content.makespan_s)}. {' '.join(roles)}{chain}"
+    held = [
+        f"{row.name} is held by {hold.robot}, {exact(hold.start_s)} to {exact(hold.end_s)}."
+        for row in content.shared
+        for hold in row.holds
+    ]
+    held = [*held[:_MOST_ROLES], *([f"And {len(held) - _MOST_ROLES} more times."] if len(held) > _MOST_ROLES else [])]
+    told = " ".join([*roles, *held])
+    return f"Robots as rows, time to the right, done after {exact(content.makespan_s)}. {told}{chain}"
 
 
 def without_schedule(plan: Plan, rank: int, schedule: Schedule | None, width: float, prefix: str) -> str:

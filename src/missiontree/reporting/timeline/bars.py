@@ -8,14 +8,17 @@ from rich.table import Table
 from rich.text import Text
 
 from missiontree.reporting.escape import one_line
-from missiontree.reporting.gantt.content import Content, Row
+from missiontree.reporting.gantt.content import Content, Row, SharedRow
 from missiontree.reporting.gantt.time import in_words, ticks
 
 WORK = "█▓"
 """Two shades, in turn, so that two actions in a row can be told apart."""
 MOVE = "═"
 WAY, WAIT = "─", "·"
+HELD = "▒░"
+"""The same for who holds a shared resource."""
 MAX_ROBOTS = 100
+MAX_SHARED = 20
 _WIDTH = (24, 72)
 _LEAST_NAME = 12
 _LIT, _PLAIN = "bold red", "green"
@@ -35,7 +38,8 @@ def bars(content: Content, width: int) -> Table:
     low, high = _WIDTH
     room = max(_LEAST_NAME, width - low - 2)
     names = [short(one_line(row.robot), room) for row in content.rows[:MAX_ROBOTS]]
-    cells = min(high, max(low, width - max(map(len, names)) - 2))
+    shared_names = [short(row.name, room) for row in content.shared[:MAX_SHARED]]
+    cells = min(high, max(low, width - max(map(len, [*names, *shared_names])) - 2))
     table = Table.grid(padding=(0, 2, 0, 0))
     table.add_column(no_wrap=True)
     table.add_column(no_wrap=True)
@@ -43,8 +47,23 @@ def bars(content: Content, width: int) -> Table:
         table.add_row(Text(name, style="cyan"), _line(row, content.makespan_s, cells))
     if len(content.rows) > MAX_ROBOTS:
         table.add_row("", Text(f"… and {len(content.rows) - MAX_ROBOTS} more robots", style="dim"))
+    for shared in content.shared[:MAX_SHARED]:
+        table.add_row(Text(short(shared.name, room), style="cyan"), _held(shared, content.makespan_s, cells))
+    if len(content.shared) > MAX_SHARED:
+        table.add_row("", Text(f"… and {len(content.shared) - MAX_SHARED} more shared resources", style="dim"))
     table.add_row("", Text(axis(content.makespan_s, cells), style="dim"))
     return table
+
+
+def _held(row: SharedRow, makespan_s: float, cells: int) -> Text:
+    """When a shared resource is held, in turn by whom; by how many where it is held by more than one."""
+    many, characters = [0] * cells, [" "] * cells
+    for number, hold in enumerate(row.holds):
+        first = min(_cell(hold.start_s, makespan_s, cells), cells - 1)
+        for cell in range(first, max(first + 1, _cell(hold.end_s, makespan_s, cells))):
+            many[cell] += 1
+            characters[cell] = HELD[number % 2] if many[cell] == 1 or row.capacity == 1 else str(min(9, many[cell]))
+    return Text("".join(characters), style="dim")
 
 
 def short(name: str, room: int) -> str:
@@ -82,6 +101,8 @@ def signs(content: Content, critical: str) -> str:
         parts.append(f"{WAY} travel")
     if any(row.waits for row in content.rows):
         parts.append(f"{WAIT} waiting")
+    if content.shared:
+        parts.append(f"{HELD} a shared resource is held")
     if content.chain:
         parts.append(f"{critical} critical chain: any delay of it delays the end")
     return "   ".join(parts)
