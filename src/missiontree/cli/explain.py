@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES
+from missiontree.cli.files import refuse_unwritable
 from missiontree.cli.gathering import author_named, budgets_from, gather
 from missiontree.cli.interrupt import controlled
+from missiontree.cli.plan import deliver
 from missiontree.cli.screen import remark, show
 from missiontree.cli.watching import authored
+from missiontree.errors import InputError
 
 if TYPE_CHECKING:
     from missiontree.mission.explanation import Explanation
@@ -42,6 +45,25 @@ def command(
     max_tokens: options.MaxTokens = None,
     max_seconds: options.MaxSeconds = None,
     kinds: options.Kinds = None,
+    costs: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--cost",
+            metavar="KIND=N",
+            help="What a kind of change costs, as in add_robot=4 or add_robot.rover=1; may be given several times. "
+            "Default: the mission file's costs, else those of the documentation.",
+        ),
+    ] = None,
+    most: Annotated[
+        int, typer.Option("--repairs", metavar="N", help="How many repairs are listed at most. Default 6.")
+    ] = 6,
+    repair: Annotated[
+        int | None,
+        typer.Option("--repair", metavar="N", help="Apply repair N to a copy, and show the plan that results."),
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FILE", help="Write the plan of --repair to this file, as JSON.")
+    ] = None,
     time_limit: options.TimeLimit = None,
     seed: options.Seed = None,
     as_json: options.AsJson = False,
@@ -49,13 +71,17 @@ def command(
     colour: options.Colour = None,
 ) -> int:
     """Say why a mission cannot be done and what would make it possible; a plan file may stand in the mission's place."""
-    from missiontree.explaining.explain import explain_authored, explain_plan, request_of
+    from missiontree.explaining.explain import explain_authored, explained, request_of
+    from missiontree.explaining.pricing import priced
 
+    if out is not None and repair is None:
+        raise InputError("--out is given without --repair", accepted="--repair N, whose plan is written")
+    if most < 1:
+        raise InputError(f"--repairs {most}", accepted="a whole number of at least 1")
+    refuse_unwritable(out)
     plan = plan_given(mission)
     if plan is not None:
         request = request_of(plan)
-        with controlled(time_limit, request.seed) as control:
-            told = explain_plan(plan, request, control)
     else:
         request = gather(
             mission,
@@ -82,11 +108,21 @@ def command(
         if not (quiet or as_json):
             for source in request.sources:
                 remark(f"using {source}", colour)
-        made = authored(request, quiet or as_json, colour)
-        with controlled(time_limit, request.seed) as control:
-            told = explain_authored(request, made, control)
-    deliver(told, as_json, colour)
-    return OUTCOMES[told.outcome]
+    request = replace(request, costs=priced(costs or (), request.costs))
+    made = authored(request, quiet or as_json, colour) if plan is None else None
+    with controlled(time_limit, request.seed) as control:
+        most = max(most, repair or 0)
+        if plan is not None:
+            known = explained(plan, request, control, most)
+        else:
+            assert made is not None, "a mission that is no plan was authored"
+            known = explain_authored(request, made, control, most)
+        repaired = None if repair is None else known.repaired(repair, control)
+    if repaired is None:
+        show_explanation(known.told, as_json, colour)
+        return OUTCOMES[known.told.outcome]
+    deliver(repaired, out, None, as_json, quiet, colour, False)
+    return OUTCOMES[repaired.outcome]
 
 
 def plan_given(mission: str | None) -> Plan | None:
@@ -108,7 +144,7 @@ def plan_given(mission: str | None) -> Plan | None:
     return plan
 
 
-def deliver(told: Explanation, as_json: bool, colour: bool | None) -> None:
+def show_explanation(told: Explanation, as_json: bool, colour: bool | None) -> None:
     """Print the explanation. As JSON it stands without the plans, which are as long as all else together."""
     from missiontree.formats.document import write_text
     from missiontree.reporting.explanation_view import explanation_view

@@ -7,22 +7,91 @@ and the plan was checked.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from missiontree.authoring.outcome import Authored
-from missiontree.briefing import Request, request_from
-from missiontree.explaining.causes import causes_of_plan
+from missiontree.briefing import DEFAULT_K, Request, request_from
+from missiontree.errors import InputError
+from missiontree.estimation.answers import ReadingOut
+from missiontree.estimation.own import OwnEstimator
+from missiontree.explaining.case import Case
+from missiontree.explaining.causes.causes import causes_of
+from missiontree.explaining.causes.routines import routine_causes
+from missiontree.explaining.repairing import Repairs, planned
+from missiontree.explaining.understood import understood
 from missiontree.mission.control import Control
-from missiontree.mission.costs import DEFAULT_COSTS, Costs
-from missiontree.mission.explanation import Explanation
+from missiontree.mission.costs import Costs
+from missiontree.mission.explanation import Cause, Explanation, Repair
 from missiontree.mission.plan import Plan
 from missiontree.planner import author, plan_authored
+from missiontree.routines.ground import ground
+
+MOST_REPAIRS = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Explained:
+    """
+    An explanation, and what it takes to go on from there.
+
+    Parameters
+    ----------
+    told
+        The explanation.
+    request
+        What was asked for.
+    case
+        The mission with its tree; None if there is none.
+    """
+
+    told: Explanation
+    request: Request
+    case: Case | None = None
+
+    def repaired(self, number: int, control: Control | None = None) -> Plan:
+        """
+        The whole plan of a repaired mission, with as many alternatives as the mission asks for.
+
+        Parameters
+        ----------
+        number
+            Number of the repair, from 1.
+        control
+            Limits of planning. Default: none.
+
+        Raises
+        ------
+        InputError
+            If there is no such repair.
+        """
+        repair = self._repair(number)
+        assert self.case is not None, "repairs change a case"
+        whole = planned(self.request, self.case, repair, control or Control(seed=self.request.seed), self.request.k)
+        plan = whole or repair.plan
+        assert plan is not None, "every repair was planned"
+        return plan
+
+    def _repair(self, number: int) -> Repair:
+        for repair in self.told.repairs:
+            if repair.number == number:
+                return repair
+        count = len(self.told.repairs)
+        raise InputError(
+            f"there is no repair {number}",
+            accepted=f"a number from 1 to {count}" if count else "none: no repair was found",
+            hint="`missiontree explain MISSION` lists them." if count else "",
+        )
 
 
 def explain(
-    mission: str | Path | Plan, *, costs: Costs = DEFAULT_COSTS, control: Control | None = None, **inputs: Any
+    mission: str | Path | Plan,
+    *,
+    costs: Costs | None = None,
+    most: int = MOST_REPAIRS,
+    control: Control | None = None,
+    **inputs: Any,
 ) -> Explanation:
     """
     Say why a mission cannot be done, and what would make it possible.
@@ -32,7 +101,9 @@ def explain(
     mission
         The mission in words, the path of a mission file, or a plan.
     costs
-        What changes cost, which puts repairs in their order.
+        What changes cost, which puts repairs in their order. Default: the mission file's, else those of the documentation.
+    most
+        How many repairs are wanted, at least 1. Default 6.
     control
         Time limit, stop token, progress callback. Default: no limit.
     inputs
@@ -48,38 +119,59 @@ def explain(
     InputError
         If something handed in is not what it should be.
     """
-    if isinstance(mission, Plan):
-        request, authored = request_of(mission), None
-    else:
-        request = request_from(mission, **inputs)
-        authored = author(request)
+    plan = mission if isinstance(mission, Plan) else None
+    request = request_from(mission, **inputs) if not isinstance(mission, Plan) else request_of(mission)
+    request = request if costs is None else replace(request, costs=costs)
     control = control or Control(seed=request.seed)
-    if authored is None:
-        return explain_plan(mission, request, control, costs)  # type: ignore[arg-type]  # a plan, since nothing was authored
-    return explain_authored(request, authored, control, costs)
+    if plan is None:
+        plan = plan_authored(request, author(request, control), control)
+    return explained(plan, request, control, most).told
 
 
-def explain_authored(
-    request: Request, authored: Authored, control: Control, costs: Costs = DEFAULT_COSTS
-) -> Explanation:
-    """Explain a mission whose tree is built, as far as it could be."""
-    return explain_plan(plan_authored(request, authored, control), request, control, costs)
-
-
-def explain_plan(plan: Plan, request: Request, control: Control, costs: Costs = DEFAULT_COSTS) -> Explanation:
-    """Explain a plan that was made, see :func:`explain`."""
+def explained(plan: Plan, request: Request, control: Control, most: int = MOST_REPAIRS) -> Explained:
+    """Explain a plan that was made of a request, see :func:`explain`."""
     told = Explanation(outcome=plan.outcome, mission=plan.brief.text, plan=plan)
     if plan.outcome == "delivered":
-        return told
-    return replace(told, causes=causes_of_plan(plan))
+        return Explained(told, request)
+    causes, case = _causes(plan, request)
+    if case is None:
+        return Explained(replace(told, causes=causes), request)
+    known = [cause.shortfall for cause in causes if cause.shortfall is not None]
+    repairs = Repairs(request, case, known, control)
+    found = repairs.find(max(1, most))
+    told = replace(told, causes=causes, repairs=found, cheapest=repairs.cheapest, tried=repairs.looked_at)
+    return Explained(told, request, case)
+
+
+def _causes(plan: Plan, request: Request) -> tuple[tuple[Cause, ...], Case | None]:
+    """The causes, and the mission that can be changed; None if there is no tree to change anything for."""
+    if plan.grounding is not None and plan.tree is not None:
+        return causes_of(plan), Case(plan.brief, plan.tree)
+    if plan.outcome == "cannot_be_done":
+        made = understood(request)
+        if made is not None and made.tree is not None:
+            of_routines = routine_causes(made.tree, ground(made.tree, plan.brief, request.estimator))
+            return of_routines or causes_of(plan), Case(plan.brief, made.tree)
+    return causes_of(plan), None
+
+
+def explain_authored(request: Request, authored: Authored, control: Control, most: int = MOST_REPAIRS) -> Explained:
+    """Explain a mission whose tree is built, as far as it could be."""
+    return explained(plan_authored(request, authored, control), request, control, most)
 
 
 def request_of(plan: Plan) -> Request:
     """The request that a plan answers, as far as the plan carries it."""
+    brief, own = plan.brief, None
+    if brief.estimator is not None:
+        said = plan.grounding.estimates if plan.grounding is not None else ()
+        own = OwnEstimator(ReadingOut(said).estimate, brief.estimator)
     return Request(
-        brief=plan.brief,
+        brief=brief,
         tree=plan.tree,
+        k=max(DEFAULT_K, len(plan.ranking.alternatives) if plan.ranking else 0),
         allocator=plan.provenance.allocator or "exact",
         scheduler=plan.provenance.scheduler or "greedy",
         seed=plan.provenance.seed,
+        estimator=own,
     )

@@ -82,8 +82,8 @@ class Prober:
         brief = replace(case.brief, diverse=False) if case.brief.diverse else case.brief
         try:
             grounding = ground(case.tree, brief, self._request.estimator)
-        except (InputError, ValueError):
-            return NO
+        except InputError:  # an estimator of the user's own may just not know the answer
+            return NO if brief.estimator is None else Answer(None)
         flat = flatten(grounding.tree, brief.fleet, brief.weights, brief.terms)
         if any_alternative(flat, self._control) is False:
             return Answer(False, grounding)

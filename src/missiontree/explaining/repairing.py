@@ -1,0 +1,88 @@
+"""Repairs: changes that were found to be enough, each with the plan that it leads to."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from missiontree.briefing import Request
+from missiontree.explaining.case import Case
+from missiontree.explaining.changes.families import applied, in_words
+from missiontree.explaining.finding import Finder, Found
+from missiontree.explaining.probing import Prober
+from missiontree.mission.control import Control
+from missiontree.mission.explanation import Cheapest, Repair, Shortfall
+from missiontree.mission.plan import Plan
+from missiontree.mission.reason import Reason
+
+MOST_ASKED = 2_000
+"""Questions to the planner, for one explanation."""
+MOST_SETS = 3
+"""Sets of changes that are looked for where no single change is enough."""
+SEARCH_SHARE = 0.7
+"""Share of the time for finding changes; the rest is for the plans that they lead to."""
+
+
+class Repairs:
+    """
+    What would make a mission possible.
+
+    Parameters
+    ----------
+    request
+        How the mission is planned, and what changes cost.
+    case
+        The mission, which cannot be done.
+    known
+        What falls short in it.
+    control
+        How long it may take.
+    """
+
+    def __init__(self, request: Request, case: Case, known: Sequence[Shortfall], control: Control) -> None:
+        self._request, self._case, self._control = request, case, control
+        self._finder = Finder(case, Prober(request, control.part(SEARCH_SHARE), MOST_ASKED), request.costs, known)
+        self.looked_at = len(self._finder.changes)
+        self.cheapest: Cheapest = "none"
+
+    def find(self, most: int) -> tuple[Repair, ...]:
+        """The cheapest, at most so many; ``cheapest`` then says what is known of the first."""
+        found, self.cheapest = self._finder.singles(most)
+        if not found:
+            found = self._finder.sets(min(most, MOST_SETS))
+            self.cheapest = "found" if found else "none"
+        repairs: list[Repair] = []
+        for one in found:
+            plan = planned(self._request, self._case, one, self._control, 1)
+            if plan is None:  # not seen so far; what was not planned is not offered
+                self.cheapest = "found"
+                continue
+            repairs.append(self._repair(len(repairs) + 1, one, plan))
+        if not repairs:
+            self.cheapest = "none"
+        return tuple(repairs)
+
+    def _repair(self, number: int, found: Found, plan: Plan) -> Repair:
+        assert plan.ranking is not None, "a delivered plan has a ranking"
+        best = next(one for one in plan.schedules if one.status in {"optimal", "feasible"})
+        return Repair(
+            number=number,
+            changes=found.changes,
+            cost=found.cost,
+            claim="smallest_proven" if found.proven else "smallest_found",
+            words=in_words(self._case, found.changes),
+            utility=plan.ranking.alternatives[best.rank - 1].utility,
+            makespan_s=best.makespan_s,
+            plan=plan,
+        )
+
+
+def planned(request: Request, case: Case, found: Found | Repair, control: Control, k: int) -> Plan | None:
+    """The plan of a repaired mission, checked; None if none is delivered."""
+    words = in_words(case, found.changes)
+    notice = Reason(
+        rule="repair_applied",
+        severity="notice",
+        message=f"This is not the mission as it was stated, but with a change: {words}",
+        found=", ".join(change.kind for change in found.changes),
+    )
+    return Prober(request, control, 0).plan(applied(case, found.changes), notice, k)
