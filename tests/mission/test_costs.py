@@ -13,13 +13,13 @@ def test_every_kind_of_change_has_a_default_cost() -> None:
 
 
 def test_a_larger_number_costs_more_by_the_share_by_which_it_grows() -> None:
-    # 600 J to 900 J is half as much again: 5 + 5 * 0.5.
+    # 600 J to 900 J is half as much again: 4 + 2 * 0.5.
     raised = Change(kind="raise_limit", target="rover", name="energy_j", was=600, to=900)
-    assert DEFAULT_COSTS.of(raised) == 7.5
+    assert DEFAULT_COSTS.of(raised) == 5
 
 
 def test_a_number_that_was_nothing_counts_as_doubled() -> None:
-    assert DEFAULT_COSTS.of(Change(kind="raise_stock", name="medkits", was=0, to=3)) == 6
+    assert DEFAULT_COSTS.of(Change(kind="raise_stock", name="medkits", was=0, to=3)) == 5
 
 
 def test_a_part_costs_by_the_routines_that_are_left_out() -> None:

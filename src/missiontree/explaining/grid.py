@@ -24,7 +24,7 @@ def at_step(change: Change, step: int) -> Change:
     assert change.was is not None, "only numbers have steps"
     if change.kind in WHOLE:
         return replace(change, to=change.was + step)
-    was = Fraction(change.was) * STEPS
+    was = _exact(change.was) * STEPS
     at = math.ceil(was) - step if change.kind in DOWN else math.floor(was) + step
     return replace(change, to=max(0, at) / STEPS)
 
@@ -34,7 +34,7 @@ def step_of(change: Change, to: float) -> int:
     assert change.was is not None, "only numbers have steps"
     if change.kind in WHOLE:
         return math.ceil(to - change.was)
-    was, wanted = Fraction(change.was) * STEPS, Fraction(to) * STEPS
+    was, wanted = _exact(change.was) * STEPS, _exact(to) * STEPS
     return math.ceil(was) - math.floor(wanted) if change.kind in DOWN else math.ceil(wanted) - math.floor(was)
 
 
@@ -43,4 +43,9 @@ def last_step(change: Change, most_added: int) -> int | None:
     assert change.was is not None, "only numbers have steps"
     if change.kind == "add_robot":
         return most_added
-    return math.ceil(Fraction(change.was) * STEPS) if change.kind in DOWN else None
+    return math.ceil(_exact(change.was) * STEPS) if change.kind in DOWN else None
+
+
+def _exact(number: float) -> Fraction:
+    """A number as it is written: 0.1 is a tenth, not the nearest binary fraction."""
+    return Fraction(repr(number))

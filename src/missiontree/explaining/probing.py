@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from missiontree.allocation.aimed import allocator_for
 from missiontree.allocation.any_alternative import any_alternative
-from missiontree.allocation.flat import flatten
+from missiontree.allocation.flat import Flat, flatten
 from missiontree.authoring.outcome import Authored
 from missiontree.briefing import Request
 from missiontree.errors import InputError
+from missiontree.explaining.any_schedule import WORKING, any_schedule
 from missiontree.explaining.case import Case
 from missiontree.mission.alternative import Ranking
+from missiontree.mission.brief import MissionBrief
 from missiontree.mission.control import Control
 from missiontree.mission.grounded import Grounding
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import Schedule
-from missiontree.planner import plan_authored, staff_and_schedule
+from missiontree.planner import MAX_DRAWN, plan_authored
 from missiontree.routines.ground import ground
 
 THOROUGH = "auto"
@@ -45,7 +48,7 @@ class Answer:
     @property
     def best(self) -> Schedule | None:
         """The best schedule that works."""
-        return next((schedule for schedule in self.schedules if schedule.status in {"optimal", "feasible"}), None)
+        return next((schedule for schedule in self.schedules if schedule.status in WORKING), None)
 
 
 NO = Answer(False)
@@ -87,15 +90,32 @@ class Prober:
         flat = flatten(grounding.tree, brief.fleet, brief.weights, brief.terms)
         if any_alternative(flat, self._control) is False:
             return Answer(False, grounding)
-        answer = Answer(None, grounding)
-        for scheduler in ("greedy", THOROUGH):
-            request = replace(self._request, brief=brief, tree=case.tree, k=1, allocator="exact", scheduler=scheduler)
-            scene = brief.world.extended(case.tree.entities)
-            ranking, schedules = staff_and_schedule(grounding, request, scene, self._control)
-            answer = Answer(_possible(ranking, schedules), grounding, ranking, schedules)
-            if answer.possible is not None:
+        return self._scheduled(case, brief, grounding, flat)
+
+    def _scheduled(self, case: Case, brief: MissionBrief, grounding: Grounding, flat: Flat) -> Answer:
+        """Draw alternatives until one has a schedule, or none is left."""
+        scene = brief.world.extended(case.tree.entities)
+        allocate = allocator_for("exact", brief.aim)
+        wanted, done = 1, dict[object, Schedule]()
+        while True:
+            ranking = allocate(flat, brief.fleet, brief.weights, wanted, self._control)
+            for alternative in ranking.alternatives:
+                if alternative.choices not in done:
+                    schedule = any_schedule(grounding.tree, alternative, brief.fleet, scene, self._control, brief.terms)
+                    done[alternative.choices] = schedule
+                    if schedule.status in WORKING:
+                        return Answer(True, grounding, ranking, (schedule,))
+            if len(ranking.alternatives) < wanted or wanted >= MAX_DRAWN or self.ended():
                 break
-        return answer
+            wanted *= 4
+        return self._settled(grounding, ranking, done)
+
+    def _settled(self, grounding: Grounding, ranking: Ranking, done: Mapping[object, Schedule]) -> Answer:
+        """What all alternatives together come to, none of which has a schedule."""
+        schedules = tuple(done[alternative.choices] for alternative in ranking.alternatives)
+        complete = ranking.status == "infeasible" or (ranking.status == "exact" and ranking.certificate.bound is None)
+        proven = complete and all(schedule.status == "infeasible" for schedule in schedules)
+        return Answer(False if proven else None, grounding, ranking, schedules)
 
     def plan(self, case: Case, notice: Reason, k: int) -> Plan | None:
         """The whole plan of a changed mission, checked; None if none is delivered."""
@@ -113,14 +133,3 @@ class Prober:
                 if plan.outcome == "delivered":
                     return plan
         return None
-
-
-def _possible(ranking: Ranking, schedules: Sequence[Schedule]) -> bool | None:
-    """As a plan tells its outcome: done, proven impossible, or neither."""
-    if any(schedule.status in {"optimal", "feasible"} for schedule in schedules):
-        return True
-    if ranking.status == "infeasible":
-        return False
-    complete = ranking.status == "exact" and ranking.certificate.bound is None
-    proven = complete and all(schedule.status == "infeasible" for schedule in schedules)
-    return False if proven else None

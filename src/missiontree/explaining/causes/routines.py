@@ -10,8 +10,8 @@ from missiontree.mission.grounded import GroundedTree, Grounding
 from missiontree.mission.reason import Reason
 from missiontree.mission.tree import MissionTree
 
-CLOSE = ("limit_too_low", "limit_too_high", "quality_too_low", "quality_below_minimum")
-"""Rules of types that could do it but for a number: who is nearest to being able stands first."""
+FAR = {"capability_missing": 1, "no_robot_able": 2, "kind_refused": 3}
+"""How far a type is from being able, by the rule that refused it: what is not listed is a number, a way or a permission away."""
 
 
 def routine_causes(tree: MissionTree, grounding: Grounding) -> tuple[Cause, ...]:
@@ -47,7 +47,7 @@ def _to_blame(grounded: GroundedTree) -> Iterator[str]:
 
 def _cause(tree: MissionTree, node_id: str, grounding: Grounding) -> Cause:
     reasons = tuple(reason for reason in grounding.not_offered if reason.node == node_id)
-    reasons = tuple(sorted(reasons, key=lambda reason: reason.rule not in CLOSE))
+    reasons = tuple(sorted(reasons, key=lambda reason: FAR.get(reason.rule, 0)))
     first = next((reason for reason in reasons if shortfall_of(reason) is not None), None)
     return Cause(
         stage="tree",

@@ -1,0 +1,168 @@
+"""Missions with one fault each: the cause is told, the least change that mends it is found, and its plan is sound."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from missiontree.authoring.outcome import Authored
+from missiontree.briefing import Request, request_from
+from missiontree.checking import check
+from missiontree.errors import InputError
+from missiontree.explaining.changes.families import applied
+from missiontree.explaining.explain import Explained, explain, explain_authored, explained, request_of
+from missiontree.mission.control import Control
+from missiontree.mission.costs import Costs, Price
+from missiontree.mission.explanation import Shortfall
+from missiontree.mission.tree import Link
+from missiontree.planner import plan_authored
+from tests.explaining.missions import CARRY, FIND, FLEET, ROADS, SCENE, mission
+
+
+def told_of(request: Request, most: int = 12) -> Explained:
+    """The explanation of a mission whose tree is handed in; every plan in it is sound."""
+    authored = Authored(status="complete", tree=request.tree, author="given")
+    known = explain_authored(request, authored, Control(), most)
+    for repair in known.told.repairs:
+        assert repair.plan is not None
+        assert repair.plan.outcome == "delivered"
+        assert check(repair.plan) == ()
+    return known
+
+
+def words_of(known: Explained) -> list[str]:
+    return [repair.words for repair in known.told.repairs]
+
+
+def test_a_payload_that_is_too_small_is_told_with_both_numbers_and_raised_to_what_is_needed() -> None:
+    known = told_of(mission(CARRY, fleet=FLEET.replace("payload_kg: 15", "payload_kg: 4")))
+    (cause,) = known.told.causes
+    assert (cause.stage, cause.node, cause.shortfall) == (
+        "tree",
+        "n0",
+        Shortfall(quantity="payload_kg", has=4, needs=12),
+    )
+    assert cause.words == 'No robot of this fleet can do "Transport(crate, dock)".'
+    assert [(reason.rule, reason.robot) for reason in cause.reasons] == [
+        ("limit_too_low", "arm"),
+        ("capability_missing", "rover"),
+        ("kind_refused", ""),
+    ]
+    assert known.told.cheapest == "proven"
+    by_words = {repair.words: repair for repair in known.told.repairs}
+    raised = by_words["Raise payload_kg of Arm from 4 to 12."]
+    assert raised.claim == "smallest_proven"
+    assert raised.cost == 4 + 2 * 2  # 4 to 12 is two shares more
+    assert "Give Rover the capability carry (taken at quality 1)." in by_words
+
+
+def test_energy_that_does_not_last_once_travel_is_counted_is_found_to_the_thousandth() -> None:
+    # Approach 30 m and the way back 30 m: 60 m at 5 J are 300 J. Allocation knows of the way back alone, 150 J.
+    known = told_of(mission(CARRY, fleet=FLEET.replace("energy_j: 600", "energy_j: 200")))
+    assert known.told.causes[0].stage == "schedule"
+    assert "Raise energy_j of Arm from 200 to 300." in words_of(known)
+    assert "Raise energy_j of Arm from 100 to 300." in words_of(
+        told_of(mission(CARRY, fleet=FLEET.replace("energy_j: 600", "energy_j: 100")))
+    )
+
+
+def test_a_deadline_is_moved_by_the_least_that_is_enough() -> None:
+    # The arm drives 30 m, carries for 20 s and drives back: 30 + 20 + 30 = 80 s at 1 m/s.
+    known = told_of(mission(CARRY, deadline_s=50.0))
+    assert "Move the deadline of the mission from 50 s to 80 s, 30 s later." in words_of(known)
+    assert known.told.causes[0].rule == "deadline_missed"
+    moved = next(repair for repair in known.told.repairs if repair.changes[0].kind == "extend_deadline")
+    assert moved.claim == "smallest_proven"
+    assert moved.makespan_s == 80
+
+
+def test_the_road_that_cuts_a_place_off_is_named_and_opened() -> None:
+    known = told_of(mission(CARRY, scene=SCENE + ROADS.replace("hall]", "hall], blocked: true")))
+    assert "the road dock - hall is blocked" in known.told.causes[0].reasons[0].message
+    assert words_of(known)[0] == "Open the road dock - hall."
+
+
+def test_two_faults_at_once_are_mended_together_and_nothing_can_be_spared() -> None:
+    fleet = FLEET.replace("payload_kg: 15", "payload_kg: 4").replace("search: 0.8, ", "")
+    known = told_of(mission(CARRY, FIND, ("Search", {"agent": "crate"}), fleet=fleet))
+    assert [cause.node for cause in known.told.causes] == ["n0", "n1", "n2"]
+    for repair in known.told.repairs:
+        assert len(repair.changes) == 2
+        for spared in repair.changes:
+            rest = [change for change in repair.changes if change != spared]
+            assert known.case is not None
+            case = applied(known.case, rest)
+            request = replace(known.request, brief=case.brief, tree=case.tree)
+            plan = plan_authored(request, Authored(status="complete", tree=case.tree, author="given"), Control())
+            assert plan.outcome == "cannot_be_done"
+    assert known.told.repairs
+
+
+def test_what_the_user_prices_high_comes_last() -> None:
+    dear = Costs({"add_capability": Price(fixed=100), "raise_limit": Price(fixed=50, per_share=0)})
+    request = replace(mission(CARRY, fleet=FLEET.replace("payload_kg: 15", "payload_kg: 4")), costs=dear)
+    assert [repair.cost for repair in told_of(request).told.repairs] == [50, 100]
+
+
+def test_links_that_no_robot_can_keep_are_given_up() -> None:
+    known = told_of(mission(CARRY, FIND, links=(Link("n0", "n1", "same_robot"),)))
+    assert words_of(known)[0].startswith("Give up that one robot does both")
+    assert any(repair.changes[0].kind == "add_capability" for repair in known.told.repairs)
+
+
+def test_a_mission_that_can_be_done_has_no_causes() -> None:
+    told = told_of(mission(CARRY)).told
+    assert (told.outcome, told.causes, told.repairs) == ("delivered", (), ())
+
+
+def test_a_sentence_is_explained_though_its_author_declined_it() -> None:
+    brief = mission(CARRY).brief
+    told = explain("Carry the crate to the dock", fleet=brief.fleet, scene=brief.scene, without=["arm"])
+    assert told.outcome == "cannot_be_done"
+    assert told.causes[0].stage == "tree"
+    assert told.repairs[0].words == "Let Arm take part (take it off 'without')."
+
+
+def test_a_goal_that_no_routine_serves_is_told_as_such_and_has_no_repair() -> None:
+    told = explain("Recommend best Italian restaurants in the area")
+    assert (told.causes[0].stage, told.causes[0].rule) == ("authoring", "capability_missing")
+    assert "'recommend' among its verbs" in told.causes[0].hint
+    assert told.repairs == ()
+
+
+def test_a_plan_is_explained_like_its_mission() -> None:
+    request = mission(CARRY, deadline_s=50.0)
+    plan = plan_authored(request, Authored(status="complete", tree=request.tree, author="given"), Control())
+    of_plan, of_mission = explain(plan), told_of(request, 6).told
+    assert [repair.words for repair in of_plan.repairs] == [repair.words for repair in of_mission.repairs]
+    assert request_of(plan).tree == request.tree
+
+
+def test_a_repair_gives_the_whole_plan_and_says_so_in_it() -> None:
+    known = told_of(mission(CARRY, deadline_s=50.0))
+    plan = known.repaired(1)
+    assert plan.notices[-1].rule == "repair_applied" or any(one.rule == "repair_applied" for one in plan.notices)
+    with pytest.raises(InputError, match="there is no repair 99"):
+        known.repaired(99)
+
+
+def test_no_limit_of_time_gives_causes_and_claims_nothing() -> None:
+    request = mission(CARRY, deadline_s=50.0)
+    authored = Authored(status="complete", tree=request.tree, author="given")
+    plan = plan_authored(request, authored, Control())
+    told = explained(plan, request, Control(time_limit_s=0.0)).told
+    assert told.causes
+    assert told.cheapest in {"none", "found"}
+
+
+def test_a_request_from_a_file_carries_its_costs(tmp_path: Path) -> None:
+    file = tmp_path / "mission.yaml"
+    file.write_text(
+        "mission: Find the keys\ncosts: {add_robot: 3, extend_deadline: {per_share: 9}}\n", encoding="utf-8"
+    )
+    assert request_from(file).costs == Costs({"add_robot": 3, "extend_deadline": Price(per_share=9)})
+    file.write_text("mission: Find the keys\ncosts: {add_robots: 3}\n", encoding="utf-8")
+    with pytest.raises(InputError, match=r"costs name 'add_robots'; the nearest is 'add_robot'"):
+        request_from(file)
