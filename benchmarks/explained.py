@@ -66,12 +66,12 @@ def _broken(rng: Random, first: Break) -> Verdict:
         if repair.plan is None or repair.plan.outcome != "delivered" or check(repair.plan):
             violations.append((UNSOUND, repair.words))
     violations += [(NOT_SMALLEST, repair.words) for repair in told.repairs[:2] if smaller_does(case, request, repair)]
-    first = told.repairs[0].changes[0].kind if told.repairs else "none"
+    cheapest = told.repairs[0].changes[0].kind if told.repairs else "none"
     counts = {
         "smallest proven": sum(repair.claim == "smallest_proven" for repair in told.repairs),
         "repairs": len(told.repairs),
         "cheapest proven": int(told.cheapest == "proven"),
-        "undone as it was done": int(first == known.kind),
+        "undone as it was done": int(cheapest == known.kind),
         "within 0.5 s": int(took < 0.5),
     }
     return Verdict(f"cannot: {name}", counts, tuple(violations))
