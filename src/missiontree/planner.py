@@ -51,6 +51,9 @@ from missiontree.scheduling import SCHEDULERS
 MAX_DRAWN = 200
 PLAIN_SCHEDULER = "greedy"
 ALLOCATION_SHARE = 0.6
+CHECKING, CHECKING_EACH = 2.0, 1.0
+"""What checking takes, as a whole and for each alternative, in units of what grounding took: so much of a time limit is kept for it."""
+MOST_FOR_CHECKING = 0.5
 RECORDED = "recorded:"
 CALLED = re.compile(r" \([a-z]+[A-Z]\w*\)")  # names of functions, in hints that are worded for a model
 
@@ -190,9 +193,11 @@ def plan_authored(request: Request, authored: Authored, control: Control) -> Pla
     """The rest of the road, for a mission whose tree is built (:func:`author`)."""
     if authored.status != "complete" or authored.tree is None:
         return _told(request, authored)
+    begun = control.clock()
     grounding = ground(authored.tree, request.brief, request.estimator)
     scene = request.brief.world.extended(authored.tree.entities)
-    ranking, schedules = staff_and_schedule(grounding, request, scene, control)
+    checking_s = (control.clock() - begun) * (CHECKING + CHECKING_EACH * request.k)
+    ranking, schedules = staff_and_schedule(grounding, request, scene, control.without(checking_s, MOST_FOR_CHECKING))
     made = _told(request, authored, grounding, ranking, schedules)
     faults = check(made)
     if faults and request.scheduler != PLAIN_SCHEDULER:

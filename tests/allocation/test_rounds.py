@@ -142,7 +142,7 @@ def test_a_search_of_some_length_goes_on_at_the_fast_speed(monkeypatch: pytest.M
         return search(self, core, engine, wanted, to_the_end)  # type: ignore[arg-type]
 
     monkeypatch.setattr(module.Rounds, "_search", watched)
-    monkeypatch.setattr(module, "is_compiled", lambda: False)
+    monkeypatch.setattr(module, "is_warm", lambda: False)
     monkeypatch.setattr(module, "TRIED_PLAIN", 20)
     assert rounds_of(problem, 5).run()
     assert [engine.fast for engine in used].count(True) >= 1

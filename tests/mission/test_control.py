@@ -68,3 +68,14 @@ def test_a_search_limit_has_a_number_unless_somebody_said_stop() -> None:
         SearchLimit("nodes")
     with pytest.raises(ValueError, match="has no number"):
         SearchLimit("stopped", 3)
+
+
+def test_what_is_kept_for_later_is_taken_off_the_limit() -> None:
+    """10 s, of which 4 are gone: 6 are left; 2 of them kept make 4. Of 5 wanted, half of what is left is kept, 3."""
+    clock = Hands()
+    control = Control(time_limit_s=10, clock=clock)
+    clock.now = 104.0
+    assert control.without(2.0).time_limit_s == pytest.approx(4.0)
+    assert control.without(5.0, 0.5).time_limit_s == pytest.approx(3.0)
+    assert control.without(2.0).whole_limit_s == 10
+    assert Control(clock=clock).without(2.0).time_limit_s is None

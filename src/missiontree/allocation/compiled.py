@@ -62,11 +62,6 @@ def can_compile() -> bool:
     return find_spec("numba") is not None
 
 
-def is_compiled() -> bool:
-    """Whether they were compiled or loaded already, so that they cost nothing more."""
-    return fast_engine.cache_info().currsize > 0
-
-
 @lru_cache(maxsize=1)
 def fast_engine() -> Engine:
     """The compiled functions; compiled at the first call, and kept on disk beside the package from then on."""

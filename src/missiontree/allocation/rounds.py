@@ -14,25 +14,27 @@ from collections.abc import Sequence
 from math import log
 from typing import Literal
 
-from missiontree.allocation.compiled import PLAIN, Engine, can_compile, fast_engine, is_compiled
+from missiontree.allocation.compiled import PLAIN, Engine, can_compile
 from missiontree.allocation.core import Core, Way
 from missiontree.allocation.crew import Crew
 from missiontree.allocation.kernel.columns import FINISHED, LAST, PAUSED
 from missiontree.allocation.pool import Pool, start
 from missiontree.allocation.purses import Purses
 from missiontree.allocation.searched import Scale, Searched, scale_of
+from missiontree.allocation.warming import engine_unless, is_warm
 from missiontree.mission.control import Control
 
 STEPS = 20
 LARGE = 5_000  # parts from which compiling pays from the start
 TRIED_PLAIN = 150  # nodes at the slow speed before the fast one is taken
 SLICES = {True: 2_000, False: 10}  # nodes between two looks at the clock
-MENDED_IN_ONE_GO = {True: 1_000_000, False: 10_000}  # parts looked at by exchanges before the next look at the clock
+MENDED_IN_ONE_GO = {True: 200_000, False: 2_000}  # parts looked at by exchanges before the next look at the clock
 MENDING = {True: 50_000_000, False: 50_000}  # parts looked at by exchanges
 FEWEST_PASSES, PASSES_PER_PART, MOST_PASSES = 20, 10, 1_000
 GIANT = 20_000  # parts of a core in which exchanges do more than searching
 MENDING_ON = {True: 2_000_000_000, False: 10_000_000}  # parts looked at by exchanges in such cores
 MENDED_AT_ONCE = 20  # passes between two looks at the clock
+HURRIED = 20_000  # parts looked at by exchanges even when time is up, if nothing is found yet
 UNAIDED = 300  # nodes without k ways found, after which cheap methods are to find some
 RAISED = (102, 106, 115, 140)  # per cent of the best prices; the higher, the more careful the advice
 GROWTH = 0.5  # of the depth of a round, while nothing is found
@@ -82,7 +84,7 @@ class Rounds:
         self.core, self.purses, self.rank, self.pool, self.control = core, purses, rank, pool, control
         self.scale: Scale = scale_of(core)
         self.base = self._searched(core, self._engine(len(core)), deep=False)
-        self.bound: int | None = self.base.price()
+        self.bound: int | None = self.base.price(ended=control.ended)
         self.prices = self.base.prices
         self.nodes, self.max_nodes, self.hands = 0, max_nodes, hands
         self._started: list[Way] | None = None
@@ -93,6 +95,8 @@ class Rounds:
         assert self.bound is not None
         top, bottom = self.bound, least_utility(self.core)
         depth = max(self.scale.unit, (top - bottom) >> 16)
+        if len(self.core) >= LARGE:
+            self.start()  # it takes long there, and nobody knows when time will be up
         while True:
             wanted = top - depth
             if self.pool.kth is not None:
@@ -139,7 +143,7 @@ class Rounds:
         best: Way | None = None
         for done in range(0, passes, at_once):
             best = self.base.mended(min(at_once, passes - done), fresh=not done) or best
-            if best is not None and self.control.ended():
+            if self.control.ended() and (best is not None or done * parts >= HURRIED):
                 break
         return best
 
@@ -163,14 +167,15 @@ class Rounds:
         quickly = self._engine(len(core))
         ended = self._search(core, quickly, wanted, quickly.fast or not can_compile())
         if ended is None:
-            ended = self._search(core, fast_engine(), wanted, True)
+            fast = engine_unless(self.control.ended)
+            ended = "stopped" if fast is None else self._search(core, fast, wanted, True)
         assert ended is not None
         return ended
 
     def _search(self, core: Core, engine: Engine, wanted: int, to_the_end: bool) -> Ended | None:
         """None if the search was given up because it can be done faster."""
         search = self._searched(core, engine, self.prices)
-        search.price()
+        search.price(ended=self.control.ended)
         above = self.bound
         assert above is not None
         with Crew(search, self.hands if engine.fast else 1) as crew:
@@ -208,9 +213,10 @@ class Rounds:
         """Find the ways of the k-th best's utility that come first in the order of choices; whether that succeeded."""
         core = self.base.narrowed(utility)
         assert core is not None
-        engine = fast_engine() if can_compile() and self.nodes > TRIED_PLAIN else self._engine(len(core))
+        fast = engine_unless(self.control.ended) if can_compile() and self.nodes > TRIED_PLAIN else None
+        engine = fast or self._engine(len(core))
         search = self._searched(core, engine, self.prices)
-        search.price()
+        search.price(ended=self.control.ended)
         missing, target, done = self.pool.k - self.pool.better_than(utility), self.scale.up(utility), 0
         while missing > 0:
             status = search.branch(target, STEPS, True, self._slice(engine))
@@ -235,7 +241,8 @@ class Rounds:
         return Searched(core, self.purses, self.rank, engine, self.scale, prices, deep)
 
     def _engine(self, parts: int) -> Engine:
-        return fast_engine() if can_compile() and (is_compiled() or parts >= LARGE) else PLAIN
+        wanted = can_compile() and (is_warm() or parts >= LARGE)
+        return (engine_unless(self.control.ended) if wanted else None) or PLAIN
 
 
 def least_utility(core: Core) -> int:

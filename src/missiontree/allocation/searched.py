@@ -8,7 +8,7 @@ the referee decides of each way with the true amounts.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass
 from math import gcd
@@ -32,6 +32,7 @@ from missiontree.allocation.kernel.columns import (
     Tree,
 )
 from missiontree.allocation.purses import Purses
+from missiontree.mission.control import never
 
 SHIFT = 20  # bits behind the point of a scaled utility
 WHOLE_BITS = 59  # of all that is added up
@@ -39,6 +40,7 @@ LIMIT_BITS = 20
 REMEMBERED = 4096
 LEVELS = 64  # each holds three quarters of the one before at most
 ROOT_STEPS = 60
+HURRIED_STEPS = 3  # where time is up before any price is known
 AIMS = (0.02, 0.006, 0.002, 0.0006, 0.0002, 0.00006, 0.005, 0.001, 0.0002, 0.00004)
 
 
@@ -114,12 +116,15 @@ class Searched:
         self.room.numbers[MARGIN] = scale.factor // 2
         self._whole = -NEG
 
-    def price(self, steps: int = ROOT_STEPS) -> int:
-        """Look for good prices of the whole; the bound they prove, in millionths."""
+    def price(self, steps: int = ROOT_STEPS, ended: Callable[[], bool] = never) -> int:
+        """Look for good prices of the whole, until somebody says stop; the bound they prove, in millionths."""
         self.engine.reach(self.tree, self.room)
         bound = -NEG
         for aim in AIMS:
-            bound = min(bound, self.engine.lower(self.tree, self.room, steps, NEG, aim)[0])
+            taken = min(steps, HURRIED_STEPS) if ended() else steps
+            bound = min(bound, self.engine.lower(self.tree, self.room, taken, NEG, aim)[0])
+            if ended():
+                break
         return self.scale.down(int(bound))
 
     @property

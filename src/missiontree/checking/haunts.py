@@ -34,6 +34,7 @@ class Haunts:
                 self._moves.setdefault(entity, []).append(leaf)
         self._too_many = sum(map(len, self._moves.values())) > MOST_MOVES
         self._spots: dict[tuple[str, int], frozenset[Spot]] = {}
+        self._of_type: dict[str, frozenset[Spot]] = {}
         for leaf, action in self._actions.items():
             if action.moves and action.at is not None:
                 self._find(action.at, leaf, ())
@@ -45,6 +46,11 @@ class Haunts:
 
     def of_type(self, type_id: str) -> frozenset[Spot]:
         """Where robots of a type may be when they set out for a role; None among them where that may be unknown."""
+        if type_id not in self._of_type:
+            self._of_type[type_id] = self._anywhere_of(type_id)
+        return self._of_type[type_id]
+
+    def _anywhere_of(self, type_id: str) -> frozenset[Spot]:
         kind = self._case.fleet.by_id.get(type_id)
         starts = (
             {start_spot(self._case, robot) for robot in self._case.at_hand(kind.id)} if kind is not None else {None}

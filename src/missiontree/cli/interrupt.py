@@ -1,4 +1,4 @@
-"""Ctrl-C: the first one asks long work to stop with what it has, the second one interrupts."""
+"""Ctrl-C, and SIGTERM: the first one asks long work to stop with what it has, the second one interrupts."""
 
 from __future__ import annotations
 
@@ -12,11 +12,20 @@ from missiontree.errors import InputError
 if TYPE_CHECKING:
     from missiontree.mission.control import Control
 
+SIGNALS = (signal.SIGINT, signal.SIGTERM)
+
+
+def interrupts(signum: int, frame: object) -> None:
+    """Handle a signal as Ctrl-C is handled."""
+    raise KeyboardInterrupt
+
 
 @contextmanager
 def controlled(time_limit_s: float | None, seed: int) -> Iterator[Control]:
     """
-    Limits of one run, with Ctrl-C as its stop token.
+    Limits of one run, with Ctrl-C and SIGTERM as its stop token.
+
+    What was found when the first of them comes is to be shown within this context, so that it is not lost on the way.
 
     Raises
     ------
@@ -31,10 +40,12 @@ def controlled(time_limit_s: float | None, seed: int) -> Iterator[Control]:
 
     def ask(signum: int, frame: object) -> None:
         asked.append(True)
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+        for one in SIGNALS:
+            signal.signal(one, interrupts)
 
-    before = signal.signal(signal.SIGINT, ask)
+    before = {one: signal.signal(one, ask) for one in SIGNALS}
     try:
         yield Control(time_limit_s=time_limit_s, stop=lambda: bool(asked), seed=seed)
     finally:
-        signal.signal(signal.SIGINT, before)
+        for one, handler in before.items():
+            signal.signal(one, handler)

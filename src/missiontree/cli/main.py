@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 from typing import Annotated
 
@@ -24,6 +25,7 @@ from missiontree.cli import (
     show,
 )
 from missiontree.cli.exits import Exit, guarded
+from missiontree.cli.interrupt import interrupts
 from missiontree.errors import InputError
 
 JARGON = {
@@ -72,6 +74,7 @@ def options(
 
 def main() -> None:
     """Entry point of the command ``missiontree``."""
+    signal.signal(signal.SIGTERM, interrupts)
     sys.exit(guarded(_run, debug="--debug" in sys.argv))
 
 

@@ -122,10 +122,10 @@ def command(
         plan = plan_authored(request, made, control)
         if plan.outcome == "exhausted" and control.stop():
             raise KeyboardInterrupt
-    deliver(plan, out, record, as_json, quiet, colour, explain_reading)
-    for file in write_pictures(plan, asked):
-        if not (quiet or as_json):
-            remark(f"written to {file}", colour)
+        deliver(plan, out, record, as_json, quiet, colour, explain_reading)
+        for file in write_pictures(plan, asked):
+            if not (quiet or as_json):
+                remark(f"written to {file}", colour)
     return OUTCOMES[plan.outcome]
 
 

@@ -93,12 +93,12 @@ def command(
             ranking = allocate(problem.flat, problem.fleet, problem.weights, k, control)
             if ranking.status == "unknown" and control.stop():
                 raise KeyboardInterrupt
-        elapsed_s = perf_counter() - started
-        told = Told(problem.flat, ranking, allocator, k, seed or 0, time_limit, elapsed_s, problem.not_kept, aim)
-        if as_json:
-            typer.echo(json_of(told), nl=False)
-        else:
-            show(view_of(told), colour)
+            elapsed_s = perf_counter() - started
+            told = Told(problem.flat, ranking, allocator, k, seed or 0, time_limit, elapsed_s, problem.not_kept, aim)
+            if as_json:
+                typer.echo(json_of(told), nl=False)
+            else:
+                show(view_of(told), colour)
     return _exit(ranking)
 
 

@@ -53,11 +53,11 @@ def command(
         started = perf_counter()
         with controlled(time_limit, seed or 0) as control:
             schedule = schedule_instance(instance, control, solver=solver and _solver_there(), bound_share=bound_share)
-        told = Told(instance, schedule, file.name, seed or 0, time_limit, perf_counter() - started)
-    if as_json:
-        typer.echo(json_of(told), nl=False)
-    else:
-        show(view_of(told), colour)
+            told = Told(instance, schedule, file.name, seed or 0, time_limit, perf_counter() - started)
+            if as_json:
+                typer.echo(json_of(told), nl=False)
+            else:
+                show(view_of(told), colour)
     return Exit.CANNOT_BE_DONE if schedule.status == "infeasible" else Exit.DELIVERED
 
 

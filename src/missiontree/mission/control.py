@@ -98,8 +98,15 @@ class Control:
 
     def part(self, share: float) -> Control:
         """The same control for one piece of the work, with that share of the time that is left."""
+        return self._with(lambda left: left * share)
+
+    def without(self, kept_s: float, most: float = 1.0) -> Control:
+        """The same control with so many seconds less, which something else needs afterwards; at most that share of the time left."""
+        return self._with(lambda left: left - min(kept_s, left * most))
+
+    def _with(self, changed: Callable[[float], float]) -> Control:
         if self.time_limit_s is None:
             return self
         left = max(0.0, self.time_limit_s - (self.clock() - self.started))
         whole_s = self.time_limit_s if self.whole_limit_s is None else self.whole_limit_s
-        return replace(self, time_limit_s=left * share, whole_limit_s=whole_s)
+        return replace(self, time_limit_s=changed(left), whole_limit_s=whole_s)

@@ -156,7 +156,10 @@ def best_of_runs(
             late = missed if late is None else min(late, missed)
         elif best is None or draft.value < best.value:
             best = draft
-        control.report(Progress("scheduling", number + 1, int(best is not None), seconds(problem.bounds.makespan)))
+        shown = None if best is None else seconds(best.makespan)
+        control.report(
+            Progress("scheduling", number + 1, int(best is not None), seconds(problem.bounds.makespan), shown)
+        )
     return best, [*(late.reasons if late else ()), *failures]
 
 

@@ -42,7 +42,8 @@ def schedule_coalitions(mission: CoalitionMission, control: Control) -> Coalitio
             best, makespan = found.best, found.makespan
             upper = makespan
         bound = max(bound, min(found.bound, makespan))
-        control.report(Progress("scheduling", 0, makespan, bound / TICKS_PER_S))
+        shown = None if best is None else makespan / TICKS_PER_S
+        control.report(Progress("scheduling", 0, int(best is not None), bound / TICKS_PER_S, shown))
         if bound >= makespan or control.ended():
             break
     assert best is not None  # the first walk always comes to its end with a schedule

@@ -20,6 +20,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, Protocol
 
+from missiontree.mission.aside import Aside
 from missiontree.mission.control import Clock
 from missiontree.scheduling.cpsat import worker
 from missiontree.scheduling.cpsat.model import Model
@@ -101,8 +102,8 @@ class _Hands(Protocol):
     def stop(self) -> None:
         """Ask for the end."""
 
-    def kill(self) -> bool:
-        """End it now; False if that cannot be done."""
+    def kill(self) -> None:
+        """End it now, or leave it behind."""
 
 
 def search(
@@ -165,7 +166,7 @@ def _listen(
             if asked is None and over():
                 asked = clock()
                 hands.stop()
-            if asked is not None and clock() - asked > _GRACE_S and hands.kill():
+            if asked is not None and clock() - asked > _GRACE_S:
                 return found
     finally:
         hands.stop()
@@ -194,7 +195,7 @@ class _Here:
 
     def __init__(self, model: Model, parameters: dict[str, Any], tell: Callable[[Message], None]) -> None:
         self._tell, self._work = tell, Work(text_of(model), parameters, tell)
-        threading.Thread(target=self._run, daemon=True).start()
+        self._aside = Aside(self._run)
 
     def _run(self) -> None:
         try:
@@ -205,8 +206,9 @@ class _Here:
     def stop(self) -> None:
         self._work.stop()
 
-    def kill(self) -> bool:
-        return False
+    def kill(self) -> None:
+        if not self._aside.over(_LOOK_S):  # it is loading the solver, or in a step that does not hear the stop
+            self._aside.leave(whole=True)
 
 
 class _Alone:
@@ -258,7 +260,7 @@ class _Alone:
         except (OSError, ValueError):
             pass  # it is gone
 
-    def kill(self) -> bool:
+    def kill(self) -> None:
         self._child.kill()
         self._child.wait()
         self._reader.join()
@@ -266,4 +268,3 @@ class _Alone:
             if pipe is not None:
                 with contextlib.suppress(OSError):
                     pipe.close()
-        return True

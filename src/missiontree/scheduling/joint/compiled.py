@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from types import FunctionType
 from typing import Any
 
+from missiontree.mission.aside import aside
 from missiontree.scheduling.joint.kernel import shop, tabu
 
 SOURCES = (shop, tabu)
@@ -48,7 +49,7 @@ def can_compile() -> bool:
 
 @lru_cache(maxsize=1)
 def fast_engine() -> Engine:
-    """The compiled functions: compiled at the first call, and kept on disk beside the package from then on."""
+    """The compiled functions; compiled once, and kept on disk beside the package from then on."""
     # Imported here, for it takes a second, and only what a list schedule does not settle needs it.
     numba, np = import_module("numba"), import_module("numpy")
     names: dict[str, Any] = {"__name__": __name__}
@@ -64,10 +65,25 @@ def fast_engine() -> Engine:
     def column(values: Sequence[int]) -> Any:
         return np.array(values if len(values) else [0], dtype=np.int64)
 
-    return Engine(names["measure"], names["keep"], names["improve"], column, 2000)
+    engine = Engine(names["measure"], names["keep"], names["improve"], column, 2000)
+    _call_once(engine)
+    return engine
 
 
-def engine_for(actions: int, limit_s: float) -> Engine:
+def _call_once(engine: Engine) -> None:
+    """Have all of it compiled, or loaded, by a search in a shop of one action."""
+    column = engine.column
+    one, none, empty = column([0]), column([-1]), column([])
+    shop_of_one = shop.Shop(column([0, 1]), one, column([1]), column([0, 0]), empty, column([0, 0]), empty)
+    numbers = column([0, 1 << 60, 1, 0, 0])
+    columns = (one, none, none, one, *[one] * 5, one, none, one, one, numbers)
+    state = shop.State(*[column(list(each)) for each in columns])
+    engine.measure(shop_of_one, state)
+    engine.keep(state)
+    engine.improve(shop_of_one, state, 1, 0)
+
+
+def engine_for(actions: int, limit_s: float, ended: Callable[[], bool]) -> Engine:
     """
     The quicker one for a search.
 
@@ -77,6 +93,11 @@ def engine_for(actions: int, limit_s: float) -> Engine:
         Of the selection; where there are few, the search is over before a compiler is loaded.
     limit_s
         What the search may take; compiling takes some ten seconds, once after each install.
+    ended
+        Asked meanwhile whether to stop.
     """
-    worth_it = actions >= WORTH_ACTIONS and (limit_s >= WORTH_S or fast_engine.cache_info().currsize > 0)
-    return fast_engine() if worth_it and can_compile() else PLAIN
+    if actions < WORTH_ACTIONS or not can_compile():
+        return PLAIN
+    if fast_engine.cache_info().currsize > 0:
+        return fast_engine()
+    return (aside(fast_engine, ended) if limit_s >= WORTH_S else None) or PLAIN

@@ -68,10 +68,16 @@ def schedule_tree(
     known = Known(view.first_list(), view.shorter.bound)
     if not known.closed:
         for _ in _steps(view, known, control, solver, bound_share):
-            control.report(Progress("scheduling", 0, known.best.makespan, float(max(known.bound, known.word))))
+            _tell(known, control)
             if known.closed or control.ended():
                 break
     return known.told()
+
+
+def _tell(known: Known, control: Control, found: int | None = None) -> None:
+    """Tell of the best schedule, or of one that is just found, and of the bound."""
+    best = known.best.makespan if found is None else min(found, known.best.makespan)
+    control.report(Progress("scheduling", 0, 1, float(max(known.bound, known.word)), float(best)))
 
 
 class _View:
@@ -186,15 +192,16 @@ def _tabu(view: _View, known: Known, control: Control) -> None:
     def closed(leaf: int) -> bool:
         return paths.head[leaf] + paths.rest[leaf] >= upper
 
-    workshop = workshop_of(
-        view.problem, known.best, engine_for(len(known.best.start), turn.limit), control.seed, closed=closed
-    )
+    engine = engine_for(len(known.best.start), turn.limit, turn.over)
+    workshop = workshop_of(view.problem, known.best, engine, control.seed, closed=closed)
     since = control.clock()
 
     def ended(better: bool) -> bool:
         nonlocal since
         now = control.clock()
-        since = now if better else since
+        if better:
+            since = now
+            _tell(known, control, workshop.makespan)
         in_vain = now - since >= PATIENCE * turn.limit or workshop.in_vain >= TRIES * workshop.items
         return in_vain or turn.over()
 
@@ -249,6 +256,7 @@ def _solver(view: _View, known: Known, control: Control) -> None:
         limit_s=left(),
         stop=control.stop,
         hint=known.best,
+        found=lambda makespan: _tell(known, control, makespan),
     )
     if one.start:
         known.offer(handed_out(problem, one.chosen, one.start))

@@ -48,6 +48,11 @@ class Workshop:
         """Moves since the best was found."""
         return int(self.state.numbers[SINCE])
 
+    @property
+    def makespan(self) -> int:
+        """Of the best."""
+        return int(self.state.numbers[BEST])
+
     def improved(self, target: int, ended: Callable[[bool], bool]) -> None:
         """Search until the best reaches the target or ``ended``, told now and then whether there is a new best, answers true."""
         best = int(self.state.numbers[BEST])

@@ -1,13 +1,12 @@
 """
 CP-SAT at work on the model: with a time limit, a schedule to begin with, and a stop token that is heard.
 
-The solver may look at the clock late, when a model is large. It works in a thread of its own, which is left behind when time is up; what it
-had found by then counts.
+Loading the solver and building a large model take long, and the solver may look at the clock late. All of it is done aside, and left behind
+when time is up; what was found by then counts.
 """
 
 from __future__ import annotations
 
-import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -15,6 +14,7 @@ from math import ceil
 from typing import Any, Literal
 
 from missiontree.errors import InternalError
+from missiontree.mission.aside import Aside, aside
 from missiontree.scheduling.joint.listing import Listed
 from missiontree.scheduling.joint.model import Form, JointModel
 from missiontree.scheduling.joint.paths import Paths
@@ -80,23 +80,35 @@ def solve(
         Told of every makespan found.
     """
     ends = time.monotonic() + max(0.01, limit_s)  # importing and building count
-    model = JointModel(problem, paths, lower, upper, form)
-    if hint is not None:
-        model.hint(hint)
+
+    def over() -> bool:
+        return stop() or time.monotonic() >= ends
+
+    solver = aside(lambda: _solver(seed), over, whole=True)
     room = _Room(Solved("unknown", lower, {}, {}), found)
-    solver = _solver(seed, ends - time.monotonic())
-    worker = threading.Thread(target=_work, args=(solver, model, room, upper), daemon=True)
-    worker.start()
-    while worker.is_alive():
-        worker.join(LOOK_S)
-        if stop():
+    if solver is None:
+        return room.solved
+
+    def work() -> None:
+        model = JointModel(problem, paths, lower, upper, form)
+        if hint is not None:
+            model.hint(hint)
+        room.solving = True
+        if room.closed:
+            return
+        solver.parameters.max_time_in_seconds = max(0.01, ends - time.monotonic())
+        _work(solver, model, room, upper)
+
+    worker = Aside(work)
+    while not worker.over(LOOK_S):
+        if over():
             solver.stop_search()
-        if stop() or time.monotonic() >= ends:
-            worker.join(GRACE_S)
+            worker.over(GRACE_S)
+            room.closed = True
+            worker.leave(whole=room.solving)  # what calls back from foreign code must not raise
             break
     room.closed = True
-    if room.failure is not None:
-        raise room.failure
+    _ = worker.result  # what it raised is raised here
     return room.solved
 
 
@@ -106,19 +118,18 @@ class _Room:
 
     solved: Solved
     found: Callable[[int], None] | None
+    solving: bool = False
     closed: bool = False
-    failure: BaseException | None = None
 
     def put(self, solved: Solved) -> None:
         if not self.closed:
             self.solved = solved
 
 
-def _solver(seed: int, limit_s: float) -> Any:
+def _solver(seed: int) -> Any:
     from ortools.sat.python import cp_model  # noqa: PLC0415 - heavy
 
     solver = cp_model.CpSolver()
-    solver.parameters.max_time_in_seconds = max(0.01, limit_s)
     solver.parameters.num_workers = WORKERS
     solver.parameters.random_seed = seed % (1 << 31)
     solver.parameters.catch_sigint_signal = False  # the stop token hears it
@@ -141,16 +152,13 @@ def _work(solver: Any, model: JointModel, room: _Room, upper: int) -> None:
     def raised(bound: float) -> None:
         room.put(replace(room.solved, bound=max(room.solved.bound, ceil(bound - NOISE))))
 
-    try:
-        solver.best_bound_callback = raised
-        status = solver.solve(model.model, Listener())
-        if status == cp_model.INFEASIBLE:
-            room.put(Solved("infeasible", upper + 1, {}, {}))
-        elif status in {cp_model.OPTIMAL, cp_model.FEASIBLE}:
-            chosen, start = model.read(solver.value)
-            verdict: Verdict = "optimal" if status == cp_model.OPTIMAL else "feasible"
-            room.put(Solved(verdict, max(room.solved.bound, ceil(solver.best_objective_bound - NOISE)), chosen, start))
-        elif status == cp_model.MODEL_INVALID:
-            raise InternalError(f"the solver refuses a model: {model.model.validate()}")
-    except BaseException as error:
-        room.failure = error
+    solver.best_bound_callback = raised
+    status = solver.solve(model.model, Listener())
+    if status == cp_model.INFEASIBLE:
+        room.put(Solved("infeasible", upper + 1, {}, {}))
+    elif status in {cp_model.OPTIMAL, cp_model.FEASIBLE}:
+        chosen, start = model.read(solver.value)
+        verdict: Verdict = "optimal" if status == cp_model.OPTIMAL else "feasible"
+        room.put(Solved(verdict, max(room.solved.bound, ceil(solver.best_objective_bound - NOISE)), chosen, start))
+    elif status == cp_model.MODEL_INVALID:
+        raise InternalError(f"the solver refuses a model: {model.model.validate()}")
