@@ -292,5 +292,7 @@ WAYS = (
     Way("mission after it is due", known.due_earlier, "deadline_missed", "core_deadline"),
     Way("robot before it comes", comes_later, "robot_away", "core_available"),
     Way("robot after it has left", leaves_earlier, "robot_away", "core_available"),
+    Way("part passed off as the whole", known.part_passed_off_as_the_whole, "partial_unsaid", "core_partial"),
+    Way("other parts left out", known.other_parts_left_out, "part_not_of_whole", "core_partial"),
     Way("makespan changed", known.makespan_changed, "makespan_wrong", "core_makespan"),
 )

@@ -119,6 +119,7 @@ def request_from(
     estimator: Estimator | Callable[..., Estimate] | Path | str | None = None,
     accumulate: Accumulate | None = None,
     diverse: bool | None = None,
+    parts: Mapping[str, float] | None = None,
     project: Path | None = None,
     **options: Any,
 ) -> Request:
@@ -144,6 +145,8 @@ def request_from(
         Quality that every action must have; takes the place of all that the mission file says of it.
     estimator
         A user's own estimator, or its file, which is run. Default: the mission file's, else the fleet's table.
+    parts
+        How much parts of the mission count; takes the place of all that the mission file says of it.
     project
         A mission file whose fleet, scene, routines and methods are taken up when the mission is given in words.
     options
@@ -194,6 +197,7 @@ def request_from(
             deadline_s=file.deadline_s,
             accumulate=file.accumulate if accumulate is None else accumulate,
             diverse=file.diverse if diverse is None else diverse,
+            parts=parts if parts is not None else file.parts if isinstance(mission, Path) else {},
         )
         refuse_huge(brief.fleet, brief.routines, brief.weights)
     except ValueError as error:

@@ -21,6 +21,7 @@ from missiontree.mission.estimator_source import Estimated
 from missiontree.mission.fleet import Robot, RobotType
 from missiontree.mission.grounded import GroundedNode, GroundedTree, Grounding
 from missiontree.mission.limit_use import LimitUse
+from missiontree.mission.partial import LeftOut
 from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
@@ -1548,3 +1549,48 @@ def outcome_of_another_stage(plan: Plan) -> Iterator[Plan]:
 def reason_made_up(plan: Plan) -> Iterator[Plan]:
     yield replace(plan, outcome="exhausted", ranking=None, schedules=(), reasons=(WHY,))
     yield replace(plan, outcome="cannot_be_done", reasons=(WHY,))
+
+
+# Parts of a mission.
+
+
+@breaks("partial_unsaid")
+def part_passed_off_as_the_whole(plan: Plan) -> Iterator[Plan]:
+    if plan.partial is not None:
+        yield replace(plan, outcome="delivered", reasons=(), partial=None, tree=plan.partial.whole)
+        yield replace(plan, outcome="delivered", reasons=())
+        yield replace(plan, partial=None)
+    elif plan.outcome == "delivered":
+        yield replace(plan, outcome="partial", reasons=(WHY,))
+
+
+@breaks("part_not_of_whole")
+def other_parts_left_out(plan: Plan) -> Iterator[Plan]:
+    """Another part is named, none, or the root; or what is left of the mission loses a link or a name."""
+    partial, tree = plan.partial, plan.tree
+    if partial is None or tree is None:
+        return
+    others = [node.id for node in tree.nodes[1:]] + [partial.whole.root.id]
+    for other in others:
+        yield replace(plan, partial=replace(partial, left_out=(*partial.left_out, LeftOut(other, 1.0))))
+    yield replace(plan, partial=replace(partial, left_out=()))
+    yield replace(plan, partial=replace(partial, left_out=(LeftOut("nobody", 1.0),)))
+    if tree.links:
+        yield replace(plan, tree=replace(tree, links=tree.links[1:]))
+
+
+@breaks("part_weight_wrong")
+def part_weighed_wrongly(plan: Plan) -> Iterator[Plan]:
+    if plan.partial is not None:
+        first, *others = plan.partial.left_out
+        yield replace(plan, partial=replace(plan.partial, kept=plan.partial.kept + 0.5))
+        yield replace(plan, partial=replace(plan.partial, total=plan.partial.total + 0.5))
+        lighter = (LeftOut(first.node, first.weight / 2), *others)
+        yield replace(plan, partial=replace(plan.partial, left_out=lighter))
+
+
+@breaks("part_not_largest")
+def part_too_small(plan: Plan) -> Iterator[Plan]:
+    """The mission could have been done with a robot that is there again, and still the part is said to be the largest."""
+    if plan.partial is not None and plan.brief.without:
+        yield with_brief(plan, without=())

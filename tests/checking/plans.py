@@ -7,8 +7,11 @@ from functools import cache
 
 from missiontree.allocation.aimed import allocator_for
 from missiontree.allocation.flat import flatten
+from missiontree.authoring.author import authored_from_tree
+from missiontree.briefing import Request
 from missiontree.estimation.estimator import Estimator
 from missiontree.estimation.own import own_estimator
+from missiontree.explaining.nearest import nearest_part
 from missiontree.formats.inputs import input_digests
 from missiontree.mission.area import Area, KeepOut, Zone
 from missiontree.mission.brief import MissionBrief
@@ -24,7 +27,7 @@ from missiontree.mission.scene import Scene
 from missiontree.mission.shared_resource import SharedResource
 from missiontree.mission.tree import Link, MissionNode, MissionTree
 from missiontree.mission.ways import Lift, OccupancyGrid, Road, RoadGraph, RoadNode
-from missiontree.planner import plan
+from missiontree.planner import plan, plan_authored
 from missiontree.routines.ground import ground
 from missiontree.routines.library import built_in
 from missiontree.scheduling import SCHEDULERS
@@ -502,7 +505,20 @@ def measured() -> Plan:
     )
 
 
+@cache
+def partial() -> Plan:
+    """The largest part of the rescue without the robot that carries: both searches, one of them for more than the rest."""
+    tree = rescue_tree()
+    brief = brief_of(tree, without=("transportation_robot",), parts={"search-firefighter": 2.5})
+    authored = authored_from_tree(tree, brief)
+    request = Request(brief=brief)
+    found = nearest_part(plan_authored(request, authored, Control()), request, authored, Control())
+    assert found is not None
+    return found
+
+
 PLANS = {
+    "partial": partial,
     "measured": measured,
     "reunite": reunite,
     "rescue": rescue,

@@ -82,10 +82,14 @@ class TreeBuilder:
     ----------
     brief
         The mission, with the fleet, the routines and the scene that calls may speak of.
+    by_anybody
+        Whether routines that no robot of the fleet can do are taken into the tree, to see the whole mission; no plan comes of such
+        a tree. Default false.
     """
 
-    def __init__(self, brief: MissionBrief) -> None:
+    def __init__(self, brief: MissionBrief, by_anybody: bool = False) -> None:
         self.brief = brief
+        self.by_anybody = by_anybody
         self.state = State()
 
     @property
@@ -96,7 +100,7 @@ class TreeBuilder:
     @property
     def cast(self) -> Cast:
         """The entities that calls may name."""
-        return Cast(self.brief, self.tree.entities if self.tree is not None else ())
+        return Cast(self.brief, self.tree.entities if self.tree is not None else (), self.by_anybody)
 
     @cached_property
     def offers(self) -> dict[str, Offers]:

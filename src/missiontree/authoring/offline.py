@@ -30,7 +30,7 @@ from missiontree.mission.reason import Reason
 WAY_OUT = "Say what is to be done, such as 'Find the keys, then bring them to Anna', set a model, or add a method."
 
 
-def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None) -> Authored:
+def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None, by_anybody: bool = False) -> Authored:
     """
     Have a mission tree built without a model.
 
@@ -40,6 +40,8 @@ def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None) ->
         The mission.
     methods
         The mission methods; default: those that ship with missiontree.
+    by_anybody
+        Whether routines that no robot can do are taken into the tree. Default false.
 
     Returns
     -------
@@ -48,7 +50,7 @@ def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None) ->
     """
     library = methods or built_in_methods()
     words = words_of_text(brief.text[: MAX_WORDS * 60])
-    desk = Desk(brief)
+    desk = Desk(brief, by_anybody)
     if not words:
         empty = Reason(rule="empty_mission", message="The mission is empty: there is nothing to be done.", hint=WAY_OUT)
         return desk.ended("incomplete", (empty,))

@@ -14,25 +14,28 @@ from missiontree.mission.reason import Reason
 NOTHING_FOUND = "nothing_found"
 """Rule of the reason that time was up before anything was found or excluded."""
 
+DELIVERING = ("delivered", "partial")
+"""Outcomes of plans that can be carried out."""
+
 ONE_PER_TEAM = "one_per_team"
 """Rule of the reason that the best alternative of every team cannot be scheduled, where teams are to differ."""
 
 
 def nothing_delivered(case: Case) -> Iterator[Fault]:
-    """A plan is called delivered and holds no alternative with a schedule that works."""
+    """A plan is called delivered, or a plan of a part, and holds no alternative with a schedule that works."""
     plan = case.plan
-    if plan.outcome == "delivered" and not case.timetables:
+    if plan.outcome in DELIVERING and not case.timetables:
         yield Fault(
-            "the plan is called delivered and holds no alternative with a schedule that works.",
+            f"the plan is called {plan.outcome} and holds no alternative with a schedule that works.",
             found=f"{len(case.staffings)} alternatives, 0 schedules that work",
             needed="at least 1",
         )
 
 
 def delivered_unsaid(case: Case) -> Iterator[Fault]:
-    """A plan that is not called delivered holds a schedule that works."""
+    """A plan that is called neither delivered nor partial holds a schedule that works."""
     for schedule in case.plan.schedules:
-        if case.plan.outcome != "delivered" and schedule.status in WORKING:
+        if case.plan.outcome not in DELIVERING and schedule.status in WORKING:
             yield Fault(
                 f"the plan's outcome is {case.plan.outcome}, and schedule {schedule.rank} is {schedule.status}.",
                 found=case.plan.outcome,
@@ -65,7 +68,7 @@ def outcome_contradicted(case: Case) -> Iterator[Fault]:
     """The outcome is not the one that authoring ended with, or belongs to a plan without a tree over the fleet and has one."""
     plan, ended = case.plan, _ends_with(case)
     if plan.grounding is not None:
-        fits = plan.outcome in {"delivered", "cannot_be_done", "exhausted"} and ended in {"", "complete"}
+        fits = plan.outcome in {*DELIVERING, "cannot_be_done", "exhausted"} and ended in {"", "complete"}
         needed = "for ranking and schedules to tell"
     elif plan.provenance.author == GIVEN:
         fits, needed = plan.outcome == "incomplete", "incomplete"
@@ -102,6 +105,8 @@ def reason_invented(case: Case) -> Iterator[Fault]:
 def _known_reasons(case: Case) -> set[Reason] | None:
     """Reasons that stand behind an outcome; None where they cannot be told from the plan."""
     plan = case.plan
+    if plan.outcome == "partial":
+        return None  # they speak of the whole mission, see trust
     if plan.grounding is not None:
         scheduled = [reason for schedule in plan.schedules for reason in schedule.reasons]
         return {*(plan.ranking.reasons if plan.ranking else ()), *scheduled, *plan.grounding.not_offered}

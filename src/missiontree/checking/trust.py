@@ -8,6 +8,7 @@ from missiontree.checking.case import WORKING, Case
 from missiontree.checking.claims import judge
 from missiontree.checking.clock import TOLERANCE, shown
 from missiontree.checking.lower_bound import least_makespan
+from missiontree.checking.part import judge_part
 from missiontree.checking.proofs import claimed_bound
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
@@ -28,7 +29,7 @@ def taken_on_trust(plan: Plan) -> tuple[Reason, ...]:
         A notice for each such claim; empty if the checker confirms all of them.
     """
     case = Case(plan)
-    return (*_estimates(case), *_ranking(case), *_bounds(case), *_impossible(case), *_declared(case))
+    return (*_estimates(case), *_ranking(case), *_bounds(case), *_impossible(case), *_declared(case), *_part(case))
 
 
 def _estimates(case: Case) -> Iterator[Reason]:
@@ -93,6 +94,17 @@ def _declared(case: Case) -> Iterator[Reason]:
             "declaration_on_trust",
             "That the mission cannot be done is taken on the word of the author, whose dialogue ends with it.",
             case.plan.provenance.author,
+        )
+
+
+def _part(case: Case) -> Iterator[Reason]:
+    partial = case.plan.partial
+    if partial is not None and judge_part(case) is not True:
+        larger = "" if partial.claim == "found" else ", and that no larger part of it can"
+        yield _notice(
+            "part_on_trust",
+            f"That the whole mission cannot be done{larger} is taken on the planner's word.",
+            partial.claim,
         )
 
 

@@ -25,6 +25,7 @@ class Exit(IntEnum):
 
 OUTCOMES = {
     "delivered": Exit.DELIVERED,
+    "partial": Exit.CANNOT_BE_DONE,
     "cannot_be_done": Exit.CANNOT_BE_DONE,
     "incomplete": Exit.INCOMPLETE,
     "exhausted": Exit.EXHAUSTED,

@@ -40,6 +40,7 @@ def gather(
     base_url: str | None = None,
     budgets: Budgets | None = None,
     scheduler: str | None = None,
+    parts: list[str] | None = None,
 ) -> Request:
     """
     Gather a request from the command line, the mission file and the folder one stands in.
@@ -75,6 +76,7 @@ def gather(
         base_url=base_url,
         budgets=budgets,
         seed=seed,
+        parts=part_weights(parts),
     )
 
 
@@ -218,6 +220,31 @@ def least_quality(texts: list[str] | None) -> MinQuality | None:
             f"--min-quality {', '.join(map(repr, texts or ()))}: {error}",
             accepted="a number of at least 0 for all actions, as in 0.5, or numbers by routine or capability, as in Search=0.8,carry=0.5",
         ) from error
+
+
+def part_weights(texts: list[str] | None) -> dict[str, float] | None:
+    """
+    What ``--part`` says, by name; None if it is not given.
+
+    Raises
+    ------
+    InputError
+        If a name is missing or stands twice, or a weight is no number above 0.
+    """
+    named: dict[str, float] = {}
+    for text in texts or ():
+        name, _, number = (piece.strip() for piece in text.rpartition("="))
+        try:
+            weight = _number(number)
+        except ValueError:
+            weight = 0.0
+        if not name or name in named or not 0 < weight < math.inf:
+            twice = f" ({name!r} stands twice)" if name in named else ""
+            raise InputError(
+                f"--part {text!r}{twice}", accepted="the name of a part and a number above 0, as in 'Search(cat)=3'"
+            )
+        named[name] = weight
+    return named or None
 
 
 def _quality(text: str) -> float:

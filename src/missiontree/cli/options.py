@@ -98,6 +98,17 @@ DiverseFlag = Annotated[
         help="Alternatives that differ in team: in the set of robot types that take part. Default: as the mission file says, else no.",
     ),
 ]
+PartWeights = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--part",
+        metavar="NAME=WEIGHT",
+        help=(
+            "How much a part of the mission counts where not all of it can be done, as in 'Search(cat)=3'; may be given several times. "
+            "Default: as the mission file says, else 1 for every routine."
+        ),
+    ),
+]
 Alternatives = Annotated[
     int | None, typer.Option("-k", "--alternatives", metavar="K", help="How many alternatives. Default 4.")
 ]

@@ -17,6 +17,9 @@ from missiontree.cli.screen import remark, show
 from missiontree.cli.watching import authored, hint_at_keys
 
 if TYPE_CHECKING:
+    from missiontree.authoring.outcome import Authored
+    from missiontree.briefing import Request
+    from missiontree.mission.control import Control
     from missiontree.mission.plan import Plan
 
 
@@ -34,6 +37,14 @@ def command(
     estimator: options.EstimatorFile = None,
     accumulate: options.AccumulateText = None,
     diverse: options.DiverseFlag = None,
+    partial: Annotated[
+        bool,
+        typer.Option(
+            "--partial",
+            help="Where the mission cannot be done, plan the largest part of it that can; exit code 1 all the same.",
+        ),
+    ] = False,
+    part: options.PartWeights = None,
     k: options.Alternatives = None,
     allocator: Annotated[
         str | None,
@@ -104,6 +115,7 @@ def command(
         budgets=budgets_from(max_turns, max_tokens, max_seconds),
         kinds=kinds,
         seed=seed,
+        parts=part,
     )
     for file in (out, record):
         refuse_unwritable(file)
@@ -122,11 +134,23 @@ def command(
         plan = plan_authored(request, made, control)
         if plan.outcome == "exhausted" and control.stop():
             raise KeyboardInterrupt
+        if partial and plan.outcome in {"cannot_be_done", "exhausted"}:
+            plan = _in_part(plan, request, made, control, quiet or as_json, colour)
         deliver(plan, out, record, as_json, quiet, colour, explain_reading)
         for file in write_pictures(plan, asked):
             if not (quiet or as_json):
                 remark(f"written to {file}", colour)
     return OUTCOMES[plan.outcome]
+
+
+def _in_part(whole: Plan, request: Request, made: Authored, control: Control, quiet: bool, colour: bool | None) -> Plan:
+    """The plan for the largest part of a mission that can be done; the plan as it is if there is none."""
+    from missiontree.explaining.nearest import nearest_part
+
+    found = nearest_part(whole, request, made, control)
+    if found is None and not quiet:
+        remark("no part of the mission that can be done was found", colour)
+    return found or whole
 
 
 def deliver(

@@ -88,7 +88,8 @@ def judge(mission: SuiteMission, authored: Authored, brief: MissionBrief, plan: 
     """
     came_to = _CameTo(authored.status, authored.reasons, authored.tree)
     if plan is not None and authored.status == "complete" and plan.outcome != "delivered":
-        came_to = _CameTo(plan.outcome, plan.reasons, authored.tree)
+        status: AuthoringStatus = "cannot_be_done" if plan.outcome == "partial" else plan.outcome
+        came_to = _CameTo(status, plan.reasons, authored.tree)
     if came_to.status in _NO_ANSWERS:
         why = (f"there is no answer; it came to {came_to.status}",)
         named = mission.declined is None

@@ -30,6 +30,7 @@ def inputs_of(brief: MissionBrief, tree: MissionTree | None) -> dict[str, Any]:
         "estimator": brief.estimator,
         "accumulate": None if brief.accumulate == "sum" else brief.accumulate,
         "diverse": brief.diverse or None,
+        "parts": brief.parts or None,
         "tree": tree,
     }
     return {name: value for name, value in inputs.items() if value is not None}

@@ -11,7 +11,7 @@ from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
 from missiontree.mission.goal import Goal, check_goals
 from missiontree.mission.terms import checked_quality
-from missiontree.mission.value import Count, Id, NonNegative, Value, require_unique
+from missiontree.mission.value import Count, Id, NonNegative, Positive, Value, require_unique
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,6 +72,9 @@ class MissionFile(Value):
     costs
         What changes cost that would make a mission possible, by kind of change, so that `missiontree explain` can put them in an order:
         a number, or more closely a price. Default: those of the documentation.
+    parts
+        How much parts of the mission count where not all of it can be done: a weight above 0 by the name of a part, which is the id, the
+        label or the call of a node of the mission tree: ``{"Search(cat)": 3}``. Default: every routine counts 1.
     """
 
     mission: str = ""
@@ -97,6 +100,7 @@ class MissionFile(Value):
     accumulate: Accumulate = "sum"
     diverse: bool = False
     costs: Mapping[Id, Price | NonNegative] = field(default_factory=dict)
+    parts: Mapping[str, Positive] = field(default_factory=dict)
 
     def _check(self) -> None:
         if not self.mission.strip() and not self.goals and self.tree is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import cached_property
 
@@ -16,7 +16,7 @@ from missiontree.mission.goal import Goal, all_goals, check_goals
 from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.scene import Scene
 from missiontree.mission.terms import Terms, check_terms, checked_quality
-from missiontree.mission.value import Id, NonNegative, Value
+from missiontree.mission.value import Id, NonNegative, Positive, Value
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,6 +60,9 @@ class MissionBrief(Value):
     diverse
         Whether alternatives are to differ in team: the best; then the best of those in which another set of robot types takes part; and
         so on. Default false.
+    parts
+        How much parts of the mission count where not all of it can be done: a weight above 0 by the name of a part, which is the id, the
+        label or the call of a node of the mission tree, such as ``Search(cat)``. Default: see :class:`missiontree.mission.partial.Partial`.
 
     Raises
     ------
@@ -82,6 +85,7 @@ class MissionBrief(Value):
     deadline_s: NonNegative | None = None
     accumulate: Accumulate = "sum"
     diverse: bool = False
+    parts: Mapping[str, Positive] = field(default_factory=dict)
 
     def _check(self) -> None:
         world = self.world

@@ -9,6 +9,7 @@ from typing import Literal
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.grounded import Grounding
+from missiontree.mission.partial import Partial
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.shown import html_of
@@ -16,7 +17,7 @@ from missiontree.mission.spent import Spent
 from missiontree.mission.tree import MissionTree
 from missiontree.mission.value import Id, Value
 
-Outcome = Literal["delivered", "cannot_be_done", "incomplete", "exhausted", "provider_failed"]
+Outcome = Literal["delivered", "partial", "cannot_be_done", "incomplete", "exhausted", "provider_failed"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,17 +59,18 @@ class Provenance(Value):
 @dataclass(frozen=True, kw_only=True)
 class Plan(Value):
     """
-    What planning a mission came to. Only a ``delivered`` plan has alternatives; every other outcome has reasons.
+    What planning a mission came to. Only plans that are ``delivered`` or ``partial`` have schedules; all but the first have reasons.
 
     Parameters
     ----------
     outcome
-        ``delivered``; ``cannot_be_done``: proven, the reasons say why; ``incomplete``: the mission was not fully understood or
-        authored; ``exhausted``: a budget ran out first; ``provider_failed``: the language model could not be used.
+        ``delivered``; ``partial``: the mission cannot be done as a whole, and this is a plan for a part of it; ``cannot_be_done``:
+        proven, the reasons say why; ``incomplete``: the mission was not fully understood or authored; ``exhausted``: a budget ran
+        out first; ``provider_failed``: the language model could not be used.
     brief
         The mission and its inputs.
     tree
-        The mission tree, as far as it was authored.
+        The mission tree, as far as it was authored; of a partial plan, what is left of it.
     grounding
         The tree over fleet and scene.
     ranking
@@ -76,13 +78,15 @@ class Plan(Value):
     schedules
         A schedule for each alternative, in rank order.
     reasons
-        Why the plan is not delivered.
+        Why the plan is not delivered; of a partial plan, why the whole mission cannot be done.
     notices, assumptions, findings
         What was done on the operator's behalf, taken for granted, and may be wrong; authoring, grounding and scheduling together.
     digests
         SHA-256 of the canonical JSON of each input, by its name.
     provenance
         How the plan came about.
+    partial
+        What a partial plan leaves out; None for every other outcome.
     """
 
     outcome: Outcome
@@ -97,6 +101,7 @@ class Plan(Value):
     findings: tuple[Reason, ...] = ()
     digests: Mapping[str, str] = field(default_factory=dict)
     provenance: Provenance
+    partial: Partial | None = None
 
     def _repr_html_(self) -> str | None:
         """The plan as notebooks show it."""

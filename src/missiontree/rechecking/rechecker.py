@@ -9,6 +9,7 @@ from missiontree.rechecking import (
     abilities,
     amounts,
     claims,
+    parts,
     selection,
     sharing,
     staffing,
@@ -59,6 +60,7 @@ CORE_RULES = {
     "core_min_quality": "every action is as good as the mission asks",
     "core_mission_total": "the team uses no more than the mission may",
     "core_order": "the actions of a role run in order",
+    "core_partial": "a plan for a part of the mission says so, and is one for all that it does not leave out",
     "core_precedence": "what comes first ends before what comes after starts",
     "core_quality": "an action has the quality of its type",
     "core_ranks": "the better alternative stands first, and teams differ where they are to",
@@ -94,12 +96,13 @@ def recheck(plan: Plan) -> list[Reason]:
         Faults, each naming a rule of ``CORE_RULES``, and the node and the robot concerned. A rule is not tested where what it rests
         on is broken: without a selection no staffing, without the staffing no times.
     """
+    found = list(parts.part_of_the_mission(plan))
     if plan.grounding is None or plan.ranking is None:
-        return []
+        return found
     alternatives = plan.ranking.alternatives
-    found = list(worth.ranks_in_order(alternatives, plan.brief.accumulate))
+    found += list(worth.ranks_in_order(alternatives, plan.brief.accumulate))
     found += worth.teams_differ(alternatives) if plan.brief.diverse else ()
-    expected = plan.outcome == "delivered" or plan.schedules
+    expected = plan.outcome in {"delivered", "partial"} or plan.schedules
     if expected and [one.rank for one in plan.schedules] != [one.rank for one in alternatives]:
         found.append(broken("core_schedules", "the schedules do not stand beside the alternatives, one for each."))
     ways = Ways(_world(plan))

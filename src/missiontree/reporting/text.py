@@ -18,6 +18,7 @@ from missiontree.mission.plan import Outcome, Plan
 from missiontree.mission.reason import Reason, Severity
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.escape import one_line
+from missiontree.reporting.left_out import known_of_larger, parts_left_out
 from missiontree.reporting.limit_lines import limit_lines
 from missiontree.reporting.references import refuse_dangling
 from missiontree.reporting.spent_view import author_in_words
@@ -27,6 +28,7 @@ from missiontree.reporting.tree.view import tree_text
 
 HEADLINES: dict[Outcome, tuple[str, str]] = {
     "delivered": ("Plan", "bold green"),
+    "partial": ("Cannot be done as a whole; this is a plan for a part of it", "bold yellow"),
     "cannot_be_done": ("Cannot be done", "bold red"),
     "incomplete": ("Incomplete: not every part of the mission is understood or built", "bold yellow"),
     "exhausted": ("Nothing was found with the time and effort given; nothing is excluded", "bold yellow"),
@@ -79,6 +81,9 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
     if (spent := plan.provenance.spent) is not None:
         yield words(author_in_words(plan.provenance.author, plan.provenance.model, spent), "dim")
     yield from _titled("How the words were read", [words(line) for line in plan.provenance.reading])
+    if plan.partial is not None:
+        left_out = [reason_line(reason) for reason in parts_left_out(plan.partial)]
+        yield from _titled("Left out", [*left_out, words(known_of_larger(plan.partial))])
     yield from _titled("Why", _refusals(said_once(plan.reasons), plan))
     if plan.tree is not None and len(plan.tree.nodes) > 1:
         yield from _titled("Mission tree", [Text(tree_text(plan.tree).rstrip())])
@@ -131,7 +136,8 @@ def _refusals(reasons: Sequence[Reason], plan: Plan) -> list[RenderableType]:
             lacking.setdefault((reason.node, reason.needed), []).append(reason.robot)
         else:
             lines.append(reason_line(reason))
-    nodes = plan.tree.by_id if plan.tree else {}
+    whole = plan.partial.whole if plan.partial is not None else plan.tree
+    nodes = whole.by_id if whole else {}
     types = plan.brief.fleet.by_id
     for (node, needed), robots in lacking.items():
         who = ", ".join(types[robot].label if robot in types else robot for robot in dict.fromkeys(robots))

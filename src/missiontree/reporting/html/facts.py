@@ -37,6 +37,11 @@ class Headline:
 
 
 _REFUSED: dict[Outcome, Headline] = {
+    "partial": Headline(
+        "In part only",
+        "bad",
+        "The mission cannot be done as a whole. This is a plan for the part of it that can be done.",
+    ),
     "cannot_be_done": Headline("Cannot be done", "bad", "With this team and these routines there is no way to do it."),
     "incomplete": Headline(
         "Incomplete", "open", "Not every part of the mission is understood or built, so nothing is planned."

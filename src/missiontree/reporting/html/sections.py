@@ -19,12 +19,14 @@ from missiontree.reporting.html.page import filled
 from missiontree.reporting.html.proofs import proofs
 from missiontree.reporting.html.remarks import not_offered, remarks, sentence
 from missiontree.reporting.html.ways import Way, outline
+from missiontree.reporting.left_out import known_of_larger, parts_left_out
 from missiontree.reporting.team.view import team_view
 
 MOST_REFUSED = 60
 UNFOLDED_REFUSED = 8
 """So many tasks stand there at once; the others are folded, as what matters to hands stands further down."""
 ROWS: tuple[tuple[tuple[str, ...], tuple[str, ...]], ...] = (
+    (("left_out",), ()),
     (("why",), ()),
     (("schedule",), ()),
     (("map",), ()),
@@ -85,6 +87,9 @@ def rows_of(sections: Mapping[str, Section]) -> tuple[tuple[tuple[Section, ...],
 
 
 def _sections(plan: Plan, ways: tuple[Way, ...], tree: Picture | None, checked: Checked | None) -> Iterator[Section]:
+    if plan.partial is not None:
+        parts = remarks(parts_left_out(plan.partial))
+        yield _section("left_out", "Left out", parts=parts, known=known_of_larger(plan.partial))
     if plan.reasons:
         first = next((reason for reason in plan.reasons if reason.hint), None)
         rest = [replace(reason, hint="") if reason is first else reason for reason in plan.reasons]

@@ -1,0 +1,167 @@
+"""
+The largest part of a mission that can be done, where the whole cannot.
+
+Sets of parts to leave out are looked at in order of their weight, lightest first, and each is planned: grounded, allocated, scheduled and
+checked as any mission. Which set is the lightest that may do is asked of the exact allocator, on the mission with every part made
+optional (:mod:`relaxed`). A set whose plan fails is taken apart as Lawler does it ("A procedure for computing the K best solutions to
+discrete optimization problems", Management Science 18, 1972): one question for each of its decisions, that one turned round and those
+before it kept. So the first set that can be done is the lightest, and that is the proof.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from heapq import heappop, heappush
+from itertools import count
+
+from missiontree.authoring.outcome import Authored
+from missiontree.briefing import Request
+from missiontree.checking import check
+from missiontree.errors import InternalError
+from missiontree.explaining.relaxed import Fixed, Relaxed
+from missiontree.explaining.weighing import in_steps, parts_of, topmost, weights_of, without_parts
+from missiontree.explaining.whole import wholly_authored
+from missiontree.mission.control import Control
+from missiontree.mission.partial import LeftOut, Partial
+from missiontree.mission.plan import Plan
+from missiontree.mission.reason import Reason
+from missiontree.mission.tree import MissionTree
+from missiontree.planner import plan_authored
+
+MOST_EXAMINED = 64
+"""Parts of the mission that are planned before the search is given up."""
+
+SHARE = 0.3
+"""Of the time that is left, for one question or one plan."""
+
+
+def nearest_part(whole: Plan, request: Request, authored: Authored, control: Control) -> Plan | None:
+    """
+    Plan the largest part of a mission that can be done.
+
+    Parameters
+    ----------
+    whole
+        What planning the whole mission came to.
+    request, authored
+        What it was planned from.
+    control
+        Time limit and stop token; a search that is ended early proves nothing.
+
+    Returns
+    -------
+    Plan or None
+        A plan whose outcome is ``partial``, checked; None if the whole mission can be done, was not authored, or if no part of it was
+        found that can be done.
+
+    Raises
+    ------
+    InputError
+        If ``parts`` of the mission name what is no part of it.
+    """
+    if whole.outcome not in {"cannot_be_done", "exhausted"} or (made := wholly_authored(request, authored)) is None:
+        return None
+    if made is not authored:
+        whole = plan_authored(request, made, control.part(SHARE))
+    if made.tree is None or whole.grounding is None:
+        return None
+    return _Search(whole, request, made, made.tree, control).run()
+
+
+@dataclass(frozen=True, slots=True)
+class _Set:
+    """A set of parts to leave out, what was fixed when it was found, and what was decided."""
+
+    left_out: tuple[str, ...]
+    fixed: Fixed
+    decided: tuple[tuple[str, bool], ...]
+
+
+class _Search:
+    """One search."""
+
+    def __init__(self, whole: Plan, request: Request, authored: Authored, tree: MissionTree, control: Control) -> None:
+        assert whole.grounding is not None
+        self.whole, self.request, self.authored, self.tree, self.control = whole, request, authored, tree, control
+        self.weights = weights_of(tree, request.brief.parts)
+        self.steps = in_steps(self.weights, tree.root.id)
+        self.parts = [part.id for part in parts_of(tree)]
+        self.relaxed = Relaxed(tree, whole.grounding.tree, request.brief, self.steps)
+        self.proven = whole.outcome == "cannot_be_done" and not request.brief.terms.judged_by_estimator
+        self.examined = 0
+        self.waiting: list[tuple[int, int, int, _Set]] = []
+        self.number = count()
+
+    def run(self) -> Plan | None:
+        """Look at one set after another."""
+        if not self.parts:
+            return None
+        self._ask(Fixed())
+        seen: set[tuple[str, ...]] = set()
+        while self.waiting and self.examined < MOST_EXAMINED and not self.control.ended():
+            *_, one = heappop(self.waiting)
+            if one.left_out and one.left_out not in seen and one.left_out != (self.tree.root.id,):
+                seen.add(one.left_out)
+                self.examined += 1
+                found = self._planned(one.left_out)
+                if found.outcome == "delivered":
+                    return self._told(found, one.left_out)
+                self.proven = self.proven and found.outcome == "cannot_be_done"
+            for fixed in _others(one):
+                self._ask(fixed)
+        return None
+
+    def _ask(self, fixed: Fixed) -> None:
+        """The lightest set that may do, with something fixed, joins those that wait."""
+        bound = self.relaxed.least(self.parts, fixed, self.control.part(SHARE))
+        if bound is None:
+            return
+        self.proven = self.proven and bound.proven
+        if not bound.decided:
+            return
+        left_out = topmost(self.tree, {part for part, out in bound.decided if out})
+        cost = sum(self.steps[part] for part in left_out)
+        heappush(self.waiting, (cost, len(left_out), next(self.number), _Set(left_out, fixed, bound.decided)))
+
+    def _planned(self, left_out: tuple[str, ...]) -> Plan:
+        kept = replace(self.authored, tree=without_parts(self.tree, left_out))
+        return plan_authored(self.request, kept, self.control.part(SHARE))
+
+    def _why_not_whole(self, left_out: tuple[str, ...]) -> tuple[Reason, ...]:
+        """Why the whole cannot be done, without what was not offered for parts that are done."""
+        done = without_parts(self.tree, left_out).by_id
+        needed = tuple(reason for reason in self.whole.reasons if reason.node not in done)
+        return needed or self.whole.reasons
+
+    def _told(self, found: Plan, left_out: tuple[str, ...]) -> Plan:
+        """The plan, marked as one of a part."""
+        total = self.weights[self.tree.root.id]
+        kept = total - sum(self.weights[part] for part in left_out)
+        made = replace(
+            found,
+            outcome="partial",
+            reasons=self._why_not_whole(left_out),
+            partial=Partial(
+                whole=self.tree,
+                left_out=tuple(LeftOut(part, float(self.weights[part])) for part in left_out),
+                total=float(total),
+                kept=float(kept),
+                claim="proven" if self.proven else "found",
+                examined=self.examined,
+            ),
+        )
+        if faults := check(made):
+            raise InternalError(f"the checker refuses a part of our own making: {faults[0].rule}: {faults[0].message}")
+        return made
+
+
+def _others(one: _Set) -> Iterator[Fixed]:
+    """What else there is beside a set: each decision turned round, those before it as they are. What is fixed already stays."""
+    kept, left_out = set(one.fixed.kept), set(one.fixed.left_out)
+    for part, out in one.decided:
+        if part in one.fixed.kept or part in one.fixed.left_out:
+            continue
+        turned = (kept | {part}, left_out) if out else (kept, left_out | {part})
+        yield Fixed(frozenset(turned[0]), frozenset(turned[1]))
+        (left_out if out else kept).add(part)

@@ -1,0 +1,35 @@
+"""Parts of a mission: a plan that leaves something out says so, and what it says it leaves out is all that it leaves out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from missiontree.mission.plan import Plan
+from missiontree.mission.reason import Reason
+from missiontree.rechecking.facts import broken
+
+RULE = "core_partial"
+
+
+def part_of_the_mission(plan: Plan) -> Iterator[Reason]:
+    """The outcome is partial if and only if something is left out, and the tree holds all the rest."""
+    partial = plan.partial
+    if (partial is None) != (plan.outcome != "partial"):
+        yield broken(
+            RULE, f"the outcome is {plan.outcome}, and what is left out is {'not ' if partial is None else ''}said."
+        )
+    if partial is None or plan.tree is None:
+        return
+    if not partial.left_out:
+        yield broken(RULE, "a part of the mission is planned, and nothing is said to be left out.")
+    without = {one.node for one in partial.left_out}
+    expected = [
+        node.id
+        for node in partial.whole.nodes
+        if node.id not in without and without.isdisjoint(partial.whole.ancestors(node.id))
+    ]
+    if [node.id for node in plan.tree.nodes] != expected:
+        yield broken(RULE, "what is planned is not the whole mission without what is left out.")
+    links = {link for link in partial.whole.links if link.first in expected and link.second in expected}
+    if set(plan.tree.links) != links:
+        yield broken(RULE, "the links of what is planned are not those of the whole mission.")

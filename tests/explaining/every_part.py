@@ -1,0 +1,76 @@
+"""The largest part of a mission by brute force: every set of parts is left out in turn, and what remains is planned."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import combinations
+
+from missiontree.authoring.outcome import Authored
+from missiontree.briefing import Request
+from missiontree.mission.control import Control
+from missiontree.mission.tree import MissionNode, MissionTree
+from missiontree.planner import plan_authored
+
+
+def best_by_force(request: Request, authored: Authored, weight: dict[str, Fraction]) -> tuple[Fraction | None, bool]:
+    """The greatest weight that can be kept, None if nothing can be done; and whether each question was decided."""
+    tree = authored.tree
+    assert tree is not None
+    best: Fraction | None = None
+    decided = True
+    for left_out in _sets(tree):
+        kept = _rest(tree, left_out)
+        if kept is None:
+            continue
+        worth = weight[tree.root.id] - sum(weight[node] for node in left_out)
+        if best is not None and worth <= best:
+            continue
+        made = plan_authored(request, _with(authored, kept), Control())
+        if made.outcome == "delivered":
+            best = worth
+        decided = decided and made.outcome in {"delivered", "cannot_be_done"}
+    return best, decided
+
+
+def _with(authored: Authored, tree: MissionTree) -> Authored:
+    return Authored(status="complete", tree=tree, author="given", notices=authored.notices)
+
+
+def _sets(tree: MissionTree) -> list[tuple[str, ...]]:
+    optional = [
+        child for node in tree.nodes if node.gate == "and" and len(node.children) > 1 for child in node.children
+    ]
+    return [
+        chosen
+        for size in range(len(optional) + 1)
+        for chosen in combinations(optional, size)
+        if not any(one != other and tree.contains(one, other) for one in chosen for other in chosen)
+    ]
+
+
+def _rest(tree: MissionTree, left_out: tuple[str, ...]) -> MissionTree | None:
+    """The tree built anew from the root down; None if a task loses all its children."""
+    nodes: list[MissionNode] = []
+    waiting = [tree.root.id]
+    while waiting:
+        node = tree.by_id[waiting.pop()]
+        children = tuple(child for child in node.children if child not in left_out)
+        if node.children and not children:
+            return None
+        nodes.append(
+            MissionNode(
+                id=node.id,
+                label=node.label,
+                gate=node.gate,
+                children=children,
+                routine=node.routine,
+                arguments=node.arguments,
+                resources=node.resources,
+                release_s=node.release_s,
+                deadline_s=node.deadline_s,
+            )
+        )
+        waiting += reversed(children)
+    names = {node.id for node in nodes}
+    links = tuple(link for link in tree.links if names >= {link.first, link.second})
+    return MissionTree(objective=tree.objective, nodes=tuple(nodes), links=links, entities=tree.entities)
