@@ -293,6 +293,7 @@ WAYS = (
     Way("robot before it comes", comes_later, "robot_away", "core_available"),
     Way("robot after it has left", leaves_earlier, "robot_away", "core_available"),
     Way("part passed off as the whole", known.part_passed_off_as_the_whole, "partial_unsaid", "core_partial"),
+    Way("part under the whole tree", known.part_grounded_as_the_whole, "grounding_differs", "core_partial"),
     Way("other parts left out", known.other_parts_left_out, "part_not_of_whole", "core_partial"),
     Way("makespan changed", known.makespan_changed, "makespan_wrong", "core_makespan"),
 )

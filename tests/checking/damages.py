@@ -973,7 +973,7 @@ def outcome_changed(plan: Plan) -> Iterator[Plan]:
 
 @breaks("reason_missing")
 def reasons_withheld(plan: Plan) -> Iterator[Plan]:
-    yield replace(plan, outcome="exhausted", schedules=(), ranking=None)
+    yield replace(plan, outcome="exhausted", schedules=(), ranking=None, reasons=())
     for place, _ in schedules(plan):
         yield with_schedule(
             plan, place, status="unknown", actions=(), legs=(), assignments=(), makespan_s=0.0, reasons=()
@@ -982,7 +982,8 @@ def reasons_withheld(plan: Plan) -> Iterator[Plan]:
 
 @breaks("reason_uncalled")
 def reasons_added(plan: Plan) -> Iterator[Plan]:
-    yield replace(plan, reasons=(WHY,))
+    if plan.outcome == "delivered":
+        yield replace(plan, reasons=(WHY,))
 
 
 @breaks("schedule_astray")
@@ -1557,11 +1558,17 @@ def reason_made_up(plan: Plan) -> Iterator[Plan]:
 @breaks("partial_unsaid")
 def part_passed_off_as_the_whole(plan: Plan) -> Iterator[Plan]:
     if plan.partial is not None:
-        yield replace(plan, outcome="delivered", reasons=(), partial=None, tree=plan.partial.whole)
         yield replace(plan, outcome="delivered", reasons=())
         yield replace(plan, partial=None)
     elif plan.outcome == "delivered":
         yield replace(plan, outcome="partial", reasons=(WHY,))
+
+
+@breaks("grounding_differs")
+def part_grounded_as_the_whole(plan: Plan) -> Iterator[Plan]:
+    """What was left out stands in the mission tree again, and nothing is said of it."""
+    if plan.partial is not None:
+        yield replace(plan, outcome="delivered", reasons=(), partial=None, tree=plan.partial.whole)
 
 
 @breaks("part_not_of_whole")

@@ -509,7 +509,7 @@ def measured() -> Plan:
 def partial() -> Plan:
     """The largest part of the rescue without the robot that carries: both searches, one of them for more than the rest."""
     tree = rescue_tree()
-    brief = brief_of(tree, without=("transportation_robot",), parts={"search-firefighter": 2.5})
+    brief = brief_of(tree, without=("transportation_robot",), parts={"firefighter": 2.5})
     authored = authored_from_tree(tree, brief)
     request = Request(brief=brief)
     found = nearest_part(plan_authored(request, authored, Control()), request, authored, Control())

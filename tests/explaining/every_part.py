@@ -18,7 +18,7 @@ def best_by_force(request: Request, authored: Authored, weight: dict[str, Fracti
     assert tree is not None
     best: Fraction | None = None
     decided = True
-    for left_out in _sets(tree):
+    for left_out in sets_of(tree):
         kept = _rest(tree, left_out)
         if kept is None:
             continue
@@ -36,7 +36,8 @@ def _with(authored: Authored, tree: MissionTree) -> Authored:
     return Authored(status="complete", tree=tree, author="given", notices=authored.notices)
 
 
-def _sets(tree: MissionTree) -> list[tuple[str, ...]]:
+def sets_of(tree: MissionTree) -> list[tuple[str, ...]]:
+    """Every set of parts that can be left out, the empty one included."""
     optional = [
         child for node in tree.nodes if node.gate == "and" and len(node.children) > 1 for child in node.children
     ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -157,9 +158,12 @@ def _weights(whole: MissionTree, case: Case) -> dict[str, Fraction]:
 
 
 def _plain(name: str) -> str:
-    """A name by which parts are compared: letters and digits alone, small, without articles."""
-    words = "".join(sign if sign.isalnum() else " " for sign in name.casefold()).split()
-    return " ".join(word for word in words if word not in {"the", "a", "an"})
+    """A name by which parts are compared: letter case, punctuation within names and articles before words aside."""
+    pieces = []
+    for piece in re.split(r"[(),]", name.casefold()):
+        words = "".join(sign if sign.isalnum() else " " for sign in piece).split()
+        pieces.append(" ".join(word for word in words[:-1] if word not in {"the", "a", "an"}).split() + words[-1:])
+    return "|".join(" ".join(piece) for piece in pieces if piece)
 
 
 def _lighter(partial: Partial, case: Case) -> list[tuple[str, ...]] | None:

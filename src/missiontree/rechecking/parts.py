@@ -12,8 +12,15 @@ RULE = "core_partial"
 
 
 def part_of_the_mission(plan: Plan) -> Iterator[Reason]:
-    """The outcome is partial if and only if something is left out, and the tree holds all the rest."""
+    """The outcome is partial if and only if something is left out, the tree holds all the rest, and all of that is on offer."""
     partial = plan.partial
+    if plan.tree is not None and plan.grounding is not None:
+        there = {node.source for node in plan.grounding.tree.nodes}
+        for node in plan.tree.nodes:
+            if node.routine is not None and node.id not in there:
+                yield broken(
+                    RULE, f"{node.label} is part of the mission, and the tree over the fleet lacks it.", node=node.id
+                )
     if (partial is None) != (plan.outcome != "partial"):
         yield broken(
             RULE, f"the outcome is {plan.outcome}, and what is left out is {'not ' if partial is None else ''}said."

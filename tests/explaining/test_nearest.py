@@ -1,0 +1,191 @@
+"""The largest part of a mission that can be done: by hand, against brute force, and what both checkers make of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from missiontree.authoring.author import authored_from_tree
+from missiontree.briefing import Request, request_from
+from missiontree.checking import check, taken_on_trust
+from missiontree.errors import InputError
+from missiontree.explaining.nearest import nearest_part
+from missiontree.explaining.weighing import topmost, weights_of, without_parts
+from missiontree.mission.brief import MissionBrief
+from missiontree.mission.control import Control
+from missiontree.mission.entity import Entity
+from missiontree.mission.fleet import Fleet, RobotType
+from missiontree.mission.plan import Plan
+from missiontree.mission.tree import Link, MissionNode, MissionTree
+from missiontree.planner import author, plan_authored
+from missiontree.reporting.text import plan_text
+from tests.builders import brief_of, flat_tree, rescue_tree, routine_node
+from tests.checking.missions import random_mission, ruled_mission
+from tests.explaining.every_part import best_by_force, sets_of
+
+THINGS = tuple(Entity(id=name, kind="object") for name in ("a", "b", "c"))
+
+
+def nearest(tree: MissionTree, brief: MissionBrief, scheduler: str = "greedy") -> Plan | None:
+    authored, request = authored_from_tree(tree, brief), Request(brief=brief, scheduler=scheduler)
+    return nearest_part(plan_authored(request, authored, Control()), request, authored, Control())
+
+
+def left_out(plan: Plan | None) -> list[str]:
+    assert plan is not None
+    assert plan.partial is not None
+    return [one.node for one in plan.partial.left_out]
+
+
+def test_what_no_robot_can_do_is_left_out_and_all_else_is_done() -> None:
+    tree = rescue_tree()
+    plan = nearest(tree, brief_of(tree, without=("transportation_robot",)))
+    assert left_out(plan) == ["bring"]
+    assert plan is not None
+    assert plan.partial is not None
+    assert (plan.outcome, plan.partial.kept, plan.partial.total, plan.partial.claim) == ("partial", 2, 3, "proven")
+    assert plan.tree == replace(
+        tree, nodes=(replace(tree.nodes[0], children=("firefighter", "cat")), *tree.nodes[1:3]), links=()
+    )
+    assert check(plan) == ()
+
+
+def test_a_mission_that_can_be_done_has_no_nearest_part() -> None:
+    assert nearest(rescue_tree(), brief_of(rescue_tree())) is None
+
+
+def test_nothing_is_offered_where_no_part_can_be_done() -> None:
+    tree = flat_tree(*(routine_node(name, "Transport", agent=name, location="b") for name in "ac"), entities=THINGS)
+    brief = brief_of(
+        tree, fleet=Fleet((RobotType(id="eye", count=1, capabilities={"search": 1.0}),)), check_kinds=False
+    )
+    assert nearest(tree, brief) is None
+
+
+def searches(names: str, *, deadline_s: float | None = None, links: tuple[Link, ...] = ()) -> MissionTree:
+    """Searches for things side by side; each takes 67 s."""
+    tree = flat_tree(*(routine_node(name, "Search", agent=name) for name in names), links=links, entities=THINGS)
+    return replace(tree, nodes=(replace(tree.nodes[0], deadline_s=deadline_s), *tree.nodes[1:]))
+
+
+def test_a_deadline_leaves_room_for_as_many_parts_as_one_robot_can_do_by_then() -> None:
+    """One robot, 67 s a search: two of three are done by 140 s, and the lightest is left out."""
+    tree = searches("abc", deadline_s=140.0)
+    fleet = Fleet((RobotType(id="eye", count=1, capabilities={"search": 1.0}),))
+    assert left_out(nearest(tree, brief_of(tree, fleet=fleet, parts={"a": 3.0, "Search(c)": 2.0}))) == ["b"]
+    assert left_out(nearest(tree, brief_of(tree, fleet=fleet, parts={"b": 3.0, "search(A)": 0.5}))) == ["a"]
+
+
+def test_one_heavy_part_goes_before_two_light_ones() -> None:
+    """By 70 s one search can be done: the one that counts more than the two others together."""
+    tree = searches("abc", deadline_s=70.0)
+    fleet = Fleet((RobotType(id="eye", count=1, capabilities={"search": 1.0}),))
+    assert left_out(nearest(tree, brief_of(tree, fleet=fleet, parts={"b": 2.5}))) == ["a", "c"]
+
+
+def test_links_to_what_is_left_out_bind_nobody() -> None:
+    """The carrying cannot be done and stood between two searches, which are then free of each other."""
+    links = (Link("a", "x"), Link("x", "b"))
+    leaves = (
+        routine_node("a", "Search", agent="a"),
+        routine_node("x", "Transport", agent="a", location="b"),
+        routine_node("b", "Search", agent="b"),
+    )
+    tree = flat_tree(*leaves, links=links, entities=THINGS)
+    plan = nearest(
+        tree,
+        brief_of(tree, fleet=Fleet((RobotType(id="eye", count=2, capabilities={"search": 1.0}),)), check_kinds=False),
+    )
+    assert left_out(plan) == ["x"]
+    assert plan is not None
+    assert plan.schedules[0].makespan_s == 67
+
+
+def test_the_author_that_stopped_at_the_first_impossible_routine_is_asked_for_the_whole() -> None:
+    """The tree of a mission in words ends where nobody can carry; what comes after it is planned all the same."""
+    request = request_from(
+        "Carry the cat to the vet, then find the keys", without=["transportation_robot", "social_robot"]
+    )
+    authored = author(request)
+    whole = plan_authored(request, authored, Control())
+    plan = nearest_part(whole, request, authored, Control())
+    assert left_out(plan) == ["transport-cat-vet"]
+    assert plan is not None
+    text = plan_text(plan)
+    assert "Cannot be done as a whole; this is a plan for a part of it" in text
+    assert "1 of 2 routines can be done. Proven: no larger part can." in text
+
+
+def test_a_weight_for_what_is_no_part_is_refused_with_what_is_meant() -> None:
+    tree = rescue_tree()
+    with pytest.raises(InputError, match="no part of the mission") as refusal:
+        nearest(tree, brief_of(tree, without=("transportation_robot",), parts={"Serch(cat)": 2.0}))
+    assert "Search(cat)" in refusal.value.hint
+
+
+def test_weights_go_down_the_tree_in_proportion() -> None:
+    """A task of weight 4 with a routine of weight 3 and one of 1; an XOR weighs what its lighter child does, and so do both."""
+    leaves = [routine_node(name, "Search", agent="a") for name in ("p", "q", "r", "s", "t")]
+    nodes = (
+        MissionNode(id="root", label="Mission", gate="and", children=("task", "choice")),
+        MissionNode(id="task", label="Task", gate="and", children=("p", "q")),
+        *leaves[:2],
+        MissionNode(id="choice", label="Choice", gate="xor", children=("both", "t")),
+        MissionNode(id="both", label="Both", gate="and", children=("r", "s")),
+        *leaves[2:],
+    )
+    tree = MissionTree(objective="Mission", nodes=nodes, entities=THINGS)
+    weights = weights_of(tree, {"p": 3.0})
+    assert {node: float(weight) for node, weight in weights.items()} == {
+        **{"root": 5, "task": 4, "p": 3, "q": 1, "choice": 1, "both": 1, "t": 1, "r": 0.5, "s": 0.5}
+    }
+
+
+def test_a_task_that_loses_all_its_children_is_left_out_itself() -> None:
+    tree = rescue_tree()
+    assert topmost(tree, {"firefighter", "cat"}) == ("firefighter", "cat")
+    assert topmost(tree, {"firefighter", "cat", "bring"}) == ("root",)
+    assert [node.id for node in without_parts(tree, {"cat"}).nodes] == ["root", "firefighter", "bring"]
+
+
+def test_what_the_checker_cannot_work_out_itself_it_takes_on_trust() -> None:
+    """Without times and places all alternatives of all larger parts can be written out; with a deadline they cannot tell."""
+    tree = rescue_tree()
+    sure = nearest(tree, brief_of(tree, without=("transportation_robot",)))
+    assert sure is not None
+    assert [notice.rule for notice in taken_on_trust(sure)] == []
+    fleet = Fleet((RobotType(id="eye", count=1, capabilities={"search": 1.0}),))
+    timed = nearest(searches("abc", deadline_s=140.0), brief_of("Mission", fleet=fleet))
+    assert timed is not None
+    assert "part_on_trust" in [notice.rule for notice in taken_on_trust(timed)]
+
+
+def with_a_deadline(tree: MissionTree, seed: int) -> MissionTree:
+    """A third of the missions have to be done by some time, so that schedules tell what can be done."""
+    if seed % 3:
+        return tree
+    return replace(tree, nodes=(replace(tree.nodes[0], deadline_s=float(30 + seed % 170)), *tree.nodes[1:]))
+
+
+@settings(max_examples=8, deadline=None)
+@given(st.integers(0, 2**20), st.booleans())
+def test_no_set_of_parts_is_better_than_the_one_that_is_kept(seed: int, ruled: bool) -> None:
+    """Differential: every set of parts is left out in turn, and what remains is planned."""
+    tree, brief = (ruled_mission if ruled else random_mission)(seed)
+    tree = with_a_deadline(tree, seed)
+    authored, request = authored_from_tree(tree, brief), Request(brief=brief)
+    if authored.status != "complete" or len(sets_of(tree)) > 60:
+        return
+    whole = plan_authored(request, authored, Control())
+    found = nearest_part(whole, request, authored, Control())
+    if whole.outcome != "cannot_be_done":
+        return
+    best, decided = best_by_force(request, authored, weights_of(tree, {}))
+    if found is None or found.partial is None:
+        assert best is None
+    elif decided or found.partial.claim == "proven":
+        assert found.partial.kept == best
+        assert check(found) == ()
