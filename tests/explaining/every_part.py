@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
 
 from missiontree.authoring.outcome import Authored
 from missiontree.briefing import Request
 from missiontree.mission.control import Control
+from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.tree import MissionNode, MissionTree
 from missiontree.planner import plan_authored
 
@@ -19,7 +21,7 @@ def best_by_force(request: Request, authored: Authored, weight: dict[str, Fracti
     best: Fraction | None = None
     decided = True
     for left_out in sets_of(tree):
-        kept = _rest(tree, left_out)
+        kept = _rest(tree, left_out, request.brief.routines)
         if kept is None:
             continue
         worth = weight[tree.root.id] - sum(weight[node] for node in left_out)
@@ -49,7 +51,7 @@ def sets_of(tree: MissionTree) -> list[tuple[str, ...]]:
     ]
 
 
-def _rest(tree: MissionTree, left_out: tuple[str, ...]) -> MissionTree | None:
+def _rest(tree: MissionTree, left_out: tuple[str, ...], library: RoutineLibrary) -> MissionTree | None:
     """The tree built anew from the root down; None if a task loses all its children."""
     nodes: list[MissionNode] = []
     waiting = [tree.root.id]
@@ -58,20 +60,22 @@ def _rest(tree: MissionTree, left_out: tuple[str, ...]) -> MissionTree | None:
         children = tuple(child for child in node.children if child not in left_out)
         if node.children and not children:
             return None
-        nodes.append(
-            MissionNode(
-                id=node.id,
-                label=node.label,
-                gate=node.gate,
-                children=children,
-                routine=node.routine,
-                arguments=node.arguments,
-                resources=node.resources,
-                release_s=node.release_s,
-                deadline_s=node.deadline_s,
-            )
-        )
+        nodes.append(replace(node, children=children))
         waiting += reversed(children)
     names = {node.id for node in nodes}
     links = tuple(link for link in tree.links if names >= {link.first, link.second})
-    return MissionTree(objective=tree.objective, nodes=tuple(nodes), links=links, entities=tree.entities)
+    links = tuple(link for link in links if link.kind != "until" or _goes_on(tree, link.first, names, library))
+    return replace(tree, nodes=tuple(nodes), links=links)
+
+
+def _goes_on(tree: MissionTree, node: str, names: set[str], library: RoutineLibrary) -> bool:
+    """Whether some action that is left below a node has no end of its own."""
+    below = [one for one in tree.nodes if one.id in names and tree.contains(node, one.id) and one.routine is not None]
+    waiting = [library.by_id[one.routine or ""] for one in below]
+    while waiting:
+        routine = waiting.pop()
+        for branch in routine.branches:
+            if any(step.open_ended for role in branch.roles for step in role.actions):
+                return True
+        waiting += [library.by_id[part.routine] for part in routine.parts]
+    return False

@@ -22,6 +22,7 @@ from missiontree.mission.plan import Plan
 from missiontree.mission.tree import Link, MissionNode, MissionTree
 from missiontree.planner import author, plan_authored
 from missiontree.reporting.text import plan_text
+from missiontree.routines.library import built_in
 from tests.builders import brief_of, flat_tree, rescue_tree, routine_node
 from tests.checking.missions import random_mission, ruled_mission
 from tests.explaining.every_part import best_by_force, sets_of
@@ -148,7 +149,7 @@ def test_a_task_that_loses_all_its_children_is_left_out_itself() -> None:
     tree = rescue_tree()
     assert topmost(tree, {"firefighter", "cat"}) == ("firefighter", "cat")
     assert topmost(tree, {"firefighter", "cat", "bring"}) == ("root",)
-    assert [node.id for node in without_parts(tree, {"cat"}).nodes] == ["root", "firefighter", "bring"]
+    assert [node.id for node in without_parts(tree, {"cat"}, built_in()).nodes] == ["root", "firefighter", "bring"]
 
 
 def test_what_the_checker_cannot_work_out_itself_it_takes_on_trust() -> None:

@@ -10,10 +10,12 @@ from fractions import Fraction
 from missiontree.checking.case import Case
 from missiontree.checking.enumeration import best_first
 from missiontree.checking.fault import Fault
+from missiontree.mission.brief import MissionBrief
 from missiontree.mission.partial import Partial
 from missiontree.mission.plan import Plan
 from missiontree.mission.tree import MissionTree
 from missiontree.routines.ground import ground
+from missiontree.routines.open_ended import pointless_until
 
 MOST_SETS = 64
 """Lighter sets of parts beyond which it is not asked of each whether it could have been left out instead."""
@@ -46,7 +48,7 @@ def part_not_of_whole(case: Case) -> Iterator[Fault]:
             needed="a child of an AND that has others",
         )
         return
-    needed = _rest(whole, [one.node for one in partial.left_out])
+    needed = _rest(whole, [one.node for one in partial.left_out], case.plan.brief)
     if needed is None or tree != needed:
         yield Fault(
             "the mission tree is not what is left of the whole mission.",
@@ -111,8 +113,8 @@ def _can_be_left_out(whole: MissionTree, node: str) -> bool:
     return parent is not None and parent.gate == "and" and len(parent.children) > 1
 
 
-def _rest(whole: MissionTree, left_out: list[str]) -> MissionTree | None:
-    """The whole without some nodes and all below; None if nothing is left somewhere."""
+def _rest(whole: MissionTree, left_out: list[str], brief: MissionBrief) -> MissionTree | None:
+    """The whole without some nodes, all below, and links that bind nothing then; None if nothing is left somewhere."""
     gone: set[str] = set()
     for node in whole.nodes:  # parents come first
         if node.id in left_out or whole.parent.get(node.id) in gone:
@@ -126,7 +128,10 @@ def _rest(whole: MissionTree, left_out: list[str]) -> MissionTree | None:
             return None
         nodes.append(replace(node, children=children))
     links = tuple(link for link in whole.links if not {link.first, link.second} & gone)
-    return replace(whole, nodes=tuple(nodes), links=links) if nodes else None
+    if not nodes:
+        return None
+    rest = replace(whole, nodes=tuple(nodes), links=links)
+    return replace(rest, links=tuple(link for link in links if not pointless_until(rest, link, brief.routines)))
 
 
 def _weights(whole: MissionTree, case: Case) -> dict[str, Fraction]:
@@ -185,7 +190,7 @@ def _lighter(partial: Partial, case: Case) -> list[tuple[str, ...]] | None:
 
 def _possible(plan: Plan, whole: MissionTree, left_out: tuple[str, ...]) -> bool | None:
     """Whether robots can fill some alternative of the mission without some parts; None if it cannot be told."""
-    tree = _rest(whole, list(left_out))
+    tree = _rest(whole, list(left_out), plan.brief)
     if tree is None or tree.open_leaves:
         return False
     if plan.brief.estimator is not None:

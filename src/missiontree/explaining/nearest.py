@@ -125,12 +125,12 @@ class _Search:
         heappush(self.waiting, (cost, len(left_out), next(self.number), _Set(left_out, fixed, bound.decided)))
 
     def _planned(self, left_out: tuple[str, ...]) -> Plan:
-        kept = replace(self.authored, tree=without_parts(self.tree, left_out))
+        kept = replace(self.authored, tree=without_parts(self.tree, left_out, self.request.brief.routines))
         return plan_authored(self.request, kept, self.control.part(SHARE))
 
     def _why_not_whole(self, left_out: tuple[str, ...]) -> tuple[Reason, ...]:
         """Why the whole cannot be done, without what was not offered for parts that are done."""
-        done = without_parts(self.tree, left_out).by_id
+        done = without_parts(self.tree, left_out, self.request.brief.routines).by_id
         needed = tuple(reason for reason in self.whole.reasons if reason.node not in done)
         return needed or self.whole.reasons
 

@@ -8,7 +8,9 @@ from fractions import Fraction
 
 from missiontree.errors import InputError
 from missiontree.explaining.naming import nodes_named
+from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.tree import MissionNode, MissionTree
+from missiontree.routines.open_ended import pointless_until
 
 MOST_STEPS = 10**8
 """Steps that the weight of a mission may be counted in, so that every sum stays exact."""
@@ -103,13 +105,13 @@ def topmost(tree: MissionTree, left_out: Collection[str]) -> tuple[str, ...]:
     return tuple(node.id for node in tree.nodes if node.id in gone and gone.isdisjoint(tree.ancestors(node.id)))
 
 
-def without_parts(tree: MissionTree, left_out: Collection[str]) -> MissionTree:
-    """What is left of a mission; links to what is left out vanish with it."""
+def without_parts(tree: MissionTree, left_out: Collection[str], library: RoutineLibrary) -> MissionTree:
+    """What is left of a mission; links to what is left out vanish with it, and so do until links from what then ends by itself."""
     kept = [
         node for node in tree.nodes if node.id not in left_out and set(left_out).isdisjoint(tree.ancestors(node.id))
     ]
     names = {node.id for node in kept}
-    return replace(
+    rest = replace(
         tree,
         nodes=tuple(
             replace(node, children=tuple(child for child in node.children if child in names)) if node.children else node
@@ -117,3 +119,4 @@ def without_parts(tree: MissionTree, left_out: Collection[str]) -> MissionTree:
         ),
         links=tuple(link for link in tree.links if link.first in names and link.second in names),
     )
+    return replace(rest, links=tuple(link for link in rest.links if not pointless_until(rest, link, library)))
