@@ -2,21 +2,27 @@
 
 from dataclasses import replace
 from itertools import pairwise
+from random import Random
 
+import pytest
 from hypothesis import given, settings
 
+from benchmarks.schedule_cases import random_schedule_case
+from missiontree.mission.chain import Step
+from missiontree.mission.control import Control
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
-from missiontree.reporting.critical.chain import Step, critical_chain
+from missiontree.reporting.critical.chain import chain_of, critical_chain
 from missiontree.reporting.critical.spans import ms
-from tests.reporting.charts import planned, plans
+from missiontree.scheduling.greedy import greedy
+from tests.reporting.charts import plan_of, planned, plans
 from tests.scheduling.instances import Instance, Part, at, mission, move, robots, scene, work
 
 
 def chain(plan: Plan) -> tuple[Step, ...]:
     assert plan.grounding is not None
-    return critical_chain(plan.grounding.tree, plan.schedules[0])
+    return critical_chain(plan.grounding.tree, plan.schedules[0], fleet=plan.brief.fleet)
 
 
 def told(plan: Plan) -> list[tuple[str, str, str, float, float, str]]:
@@ -264,3 +270,61 @@ def test_a_release_time_begins_the_chain() -> None:
         ("action", "A.0", "a-1", 4, 6, "release"),
         ("action", "B.0", "a-1", 6, 9, "order"),
     ]
+
+
+def test_a_robot_that_comes_late_begins_the_chain() -> None:
+    """The robot takes part from 7 s on and needs 3 s for the way to p, 6 m at 2 m/s, and 5 s for the work: 15 s."""
+    instance = mission([Part("A", "a", [work(5, at="p")])])
+    late = robots("a", speed=2.0, position=at(0), available_from_s=7.0)
+    plan = planned(instance, Fleet((late,)), scene(p=6))
+    assert told(plan) == [
+        ("wait", "A.0", "a-1", 0, 7, "start"),
+        ("travel", "A.0", "a-1", 7, 10, "available"),
+        ("action", "A.0", "a-1", 10, 15, "travel"),
+    ]
+
+
+def test_the_later_of_two_robots_that_come_late_is_the_one_that_counts() -> None:
+    """Joint work of 2 s; a comes at 3 s, b at 5 s."""
+    instance = mission([Part("A", "a", [work(2, sync=0)]), Part("B", "b", [work(2, sync=0)])])
+    fleet = Fleet((robots("a", available_from_s=3.0), robots("b", available_from_s=5.0)))
+    steps = told(planned(instance, fleet))
+    assert [(step[0], step[3], step[4], step[5]) for step in steps] == [
+        ("wait", 0, 5, "start"),
+        ("action", 5, 7, "available"),
+    ]
+
+
+def test_what_two_ends_wait_for_is_found_through_what_lasts_until_them() -> None:
+    """
+    G lasts until F ends, and F until W does. G begins when its robot has worked 6 s; so F ends at 6.001 s at the earliest, and W, 1 s, with
+    it: it is G's robot that makes it late, though G does not last until W.
+    """
+    instance = mission(
+        [
+            Part("X", "a", [work(6), work(0, open_ended=True)]),
+            Part("F", "b", [work(2, open_ended=True)]),
+            Part("W", "c", [work(1)]),
+        ],
+        [("X.1", "F", "until"), ("F", "W", "until")],
+    )
+    plan = planned(instance, Fleet((robots("a"), robots("b"), robots("c"))))
+    assert plan.schedules[0].makespan_s == 6.001
+    assert [(step[0], step[1], step[3], step[4]) for step in told(plan)][:2] == [
+        ("action", "X.0", 0, 6),
+        ("under_way", "X.1", 6, 6.001),
+    ]
+
+
+@pytest.mark.parametrize("seed", range(0, 9000, 60))
+def test_a_chain_adds_up_to_the_makespan_and_explains_all_of_it_under_every_rule(seed: int) -> None:
+    """Release times, robots that come late, things, shared resources, joint work, until links, limits: whatever schedules keep."""
+    case = random_schedule_case(Random(seed))  # noqa: S311 - reproducible draws
+    schedule = greedy(case.tree, case.alternative, case.fleet, case.scene, Control(seed=seed), case.terms)
+    plan = plan_of(Instance(case.tree, case.alternative, {}), schedule, case.fleet)
+    found = chain_of(replace(plan, brief=replace(plan.brief, scene=case.scene)), schedule)
+    lengths = [ms(step.end_s) - ms(step.start_s) for step in found.steps]
+    assert sum(lengths) == ms(schedule.makespan_s)
+    assert ms(found.work_s) + ms(found.travel_s) + ms(found.waiting_s) == ms(schedule.makespan_s)
+    assert all(before.end_s == after.start_s for before, after in pairwise(found.steps))
+    assert "unexplained" not in {step.bond for step in found.steps}

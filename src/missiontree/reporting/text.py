@@ -17,6 +17,7 @@ from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Outcome, Plan
 from missiontree.mission.reason import Reason, Severity
 from missiontree.mission.schedule import Schedule
+from missiontree.reporting.critical.view import BRIEF, title_and_view
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.left_out import known_of_larger, parts_left_out
 from missiontree.reporting.limit_lines import limit_lines
@@ -97,6 +98,7 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
             due = "" if deadline_s is None else f" (due by {deadline_s:g} s)"
             title = f"Schedule of alternative {best.rank}: {_length(best.makespan_s)}{due}, {_known(best)}"
             yield from _titled(title, [timeline(best, plan)])
+            yield from _titled(*title_and_view(plan, best, BRIEF))
     not_offered = plan.grounding.not_offered if plan.grounding else ()
     told = frozenset(plan.reasons)
     yield from _titled("Not offered", _refusals([reason for reason in not_offered if reason not in told], plan))

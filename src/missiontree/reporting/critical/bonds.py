@@ -11,25 +11,14 @@ from bisect import bisect_right
 from collections.abc import Iterable, Iterator
 from typing import Literal, NamedTuple
 
+from missiontree.mission.chain import Bond
+from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
 from missiontree.mission.shared_resource import SharedResource
+from missiontree.mission.ticks import ticks
 from missiontree.reporting.critical.spans import Spans, ms
 
-Bond = Literal[
-    "start",
-    "role",
-    "travel",
-    "robot",
-    "order",
-    "entity",
-    "resource",
-    "partner",
-    "until",
-    "under_way",
-    "release",
-    "unexplained",
-]
 Passing = Literal["", "action", "travel", "under_way"]
 
 
@@ -74,11 +63,20 @@ class Bonds:
         A schedule over its leaves.
     resources
         Shared resources of the scene. Default: none.
+    fleet
+        Tells which robots come late. Default: none does.
     """
 
-    def __init__(self, tree: GroundedTree, schedule: Schedule, resources: Iterable[SharedResource] = ()) -> None:
+    def __init__(
+        self,
+        tree: GroundedTree,
+        schedule: Schedule,
+        resources: Iterable[SharedResource] = (),
+        fleet: Fleet | None = None,
+    ) -> None:
         self.tree = tree
         self.shared = {resource.id: resource for resource in resources}
+        self._fleet = fleet
         self.at: dict[int, ScheduledAction] = {one.leaf: one for one in schedule.actions}
         self.legs: dict[int, TravelLeg] = {leg.leaf: leg for leg in schedule.legs if self._leads(leg)}
         self._before: dict[int, int] = {}  # what stands before an action in its role
@@ -115,6 +113,21 @@ class Bonds:
         releases = (self.tree.windows[mate].release for mate in self.joint(event.leaf))
         return event.kind == "start" and max(releases) == self.time(event) > 0
 
+    def held_back(self, event: Event) -> Literal["release", "available"] | None:
+        """What holds back an event that is no other event: a release time, or that a robot is not there before; None if neither does."""
+        if self.released(event):
+            return "release"
+        late = event.kind != "end" and any(
+            self._comes_at(mate) == self.time(event) > 0 for mate in self.joint(event.leaf)
+        )
+        return "available" if late else None
+
+    def _comes_at(self, leaf: int) -> int:
+        """From when on the robot of an action takes part, in milliseconds."""
+        robot = self.at[leaf].robot
+        kind = self._fleet.type_of.get(robot) if self._fleet is not None else None
+        return 0 if kind is None or self._fleet is None else ticks(kind.availability(self._fleet.robots[robot])[0])
+
     def joint(self, leaf: int) -> list[int]:
         """Actions that start and end together with one, itself included."""
         sync = self.tree.action(leaf).sync
@@ -134,8 +147,19 @@ class Bonds:
         else:
             one = self.at[leaf]
             yield Cause("start", Event("start", leaf), ms(one.end_s) - ms(one.start_s), "action")
-        for open_ended in self._keeps.get(leaf, ()):
+        for open_ended in self._kept_up_by(leaf):
             yield Cause("under_way", Event("start", open_ended), 1, "under_way")
+
+    def _kept_up_by(self, leaf: int) -> Iterator[int]:
+        """Open-ended actions that must be under way when an action ends, those that last until such a one ends included."""
+        seen: set[int] = set()
+        waiting = list(self.joint(leaf))
+        while waiting:
+            for open_ended in self._keeps.get(waiting.pop(), ()):
+                if open_ended not in seen:
+                    seen.add(open_ended)
+                    waiting += self.joint(open_ended)
+                    yield open_ended
 
     def _set_end(self, leaf: int) -> int | None:
         """The action whose end an open-ended one, or its joint partner, lasts until, and does."""
@@ -157,7 +181,7 @@ class Bonds:
         yield from self._free(event)
         yield from self._entities(event)
         yield from self._resources(event)
-        for open_ended in self._keeps.get(leaf, ()):
+        for open_ended in self._kept_up_by(leaf):
             if leaf in self._ended_by:
                 yield Cause("under_way", Event("start", open_ended), 1, "under_way")
 
@@ -222,9 +246,14 @@ class Bonds:
             done.sort()
 
     def _reversed_until(self) -> dict[int, list[int]]:
-        """By action: the open-ended actions that must be under way when it ends."""
+        """By action: the open-ended actions that must be under way when it ends, by whichever link."""
         keeps: dict[int, list[int]] = {}
-        for leaf, last in sorted(self._ended_by.items()):
+        links = [link for link in self.tree.links if link.kind == "until"]
+        for leaf in sorted(self.at) if links else ():
             if self.tree.action(leaf).open_ended:
-                keeps.setdefault(last, []).append(leaf)
+                above = self._spans.above(leaf)
+                lasts = {self._spans.last[link.second] for link in links if link.first in above}
+                for last in lasts:
+                    if last is not None and last != leaf:
+                        keeps.setdefault(last, []).append(leaf)
         return keeps

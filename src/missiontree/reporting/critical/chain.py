@@ -9,65 +9,62 @@ schedule). Shares no code with the schedulers.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
-from typing import Literal
+from dataclasses import replace
 
+from missiontree.mission.chain import Bond, CriticalChain, Step, StepKind
+from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.shared_resource import SharedResource
-from missiontree.reporting.critical.bonds import Bond, Bonds, Cause, Event
+from missiontree.reporting.critical.bonds import Bonds, Cause, Event
 from missiontree.reporting.critical.spans import ms
-
-StepKind = Literal["action", "travel", "until", "under_way", "wait"]
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """
-    A stretch of the critical chain.
-
-    Parameters
-    ----------
-    kind
-        ``action``: a whole action. ``travel``: the way to one. ``until``: an open-ended action ends because the step before does;
-        takes no time. ``under_way``: the millisecond that an open-ended action must be under way before the step before may
-        end. ``wait``: it is waited for a release time, or nothing in the schedule says why.
-    leaf
-        The action, or the one travelled to or waited for.
-    robot
-        Who does it.
-    start_s, end_s
-        From when to when; each step starts when the one before ends.
-    bond
-        Why it does not start earlier: ``start`` of the mission; the step before it is what its ``role`` or its ``robot`` does
-        before, the ``travel`` there, an action that comes first by ``order``, one that brings or needs the same ``entity``, one
-        that held a shared ``resource``, one that its joint ``partner`` waits for, or what it lasts ``until``; or its ``release``
-        time; or ``unexplained``.
-    """
-
-    kind: StepKind
-    leaf: int
-    robot: str
-    start_s: float
-    end_s: float
-    bond: Bond
 
 
 def critical_chain(
-    tree: GroundedTree, schedule: Schedule, resources: Iterable[SharedResource] = ()
+    tree: GroundedTree, schedule: Schedule, resources: Iterable[SharedResource] = (), fleet: Fleet | None = None
 ) -> tuple[Step, ...]:
     """
     A critical chain, in order of time: contiguous, from 0 to the end of the last action.
 
     There may be several; ties go to the same role first, then to travel, order, robot and the smaller leaf. In a schedule that
     waits without a reason, the chain has a step of kind ``wait`` there. Empty if nothing takes time.
+
+    Parameters
+    ----------
+    tree, schedule
+        A schedule over the leaves of a tree.
+    resources
+        Shared resources of the scene. Default: none.
+    fleet
+        Tells which robots come late. Default: none does.
     """
-    bonds = Bonds(tree, schedule, resources)
+    bonds = Bonds(tree, schedule, resources, fleet)
     end = max((ms(one.end_s) for one in schedule.actions), default=0)
     last = min((leaf for leaf, one in bonds.at.items() if ms(one.end_s) == end), default=None)
     if last is None or not end:
         return ()
     return tuple(_Walk(bonds).steps(Event("end", last)))
+
+
+def chain_of(plan: Plan, schedule: Schedule) -> CriticalChain:
+    """The critical chain of a schedule of a plan, with what its time goes into."""
+    assert plan.grounding is not None
+    tree = plan.grounding.tree
+    steps = critical_chain(tree, schedule, plan.brief.world.resources, plan.brief.fleet)
+    spent = {"work": 0, "travel": 0, "waiting": 0}
+    for step in steps:
+        moving = step.kind == "travel" or (step.kind == "action" and tree.action(step.leaf).moves)
+        what = "travel" if moving else "work" if step.kind == "action" else "waiting"
+        spent[what] += ms(step.end_s) - ms(step.start_s)
+    return CriticalChain(
+        rank=schedule.rank,
+        makespan_s=schedule.makespan_s,
+        work_s=spent["work"] / 1000,
+        travel_s=spent["travel"] / 1000,
+        waiting_s=spent["waiting"] / 1000,
+        steps=steps,
+    )
 
 
 class _Walk:
@@ -97,7 +94,7 @@ class _Walk:
         while stack:
             event = stack.pop()
             time = self._bonds.time(event)
-            if time < self._bonds.time(furthest):
+            if self._further(event, furthest):
                 furthest = event
             if not time:
                 break
@@ -114,11 +111,24 @@ class _Walk:
             way = came[way[0]]
         return path[::-1], furthest
 
+    def _further(self, event: Event, furthest: Event) -> bool:
+        """Whether an event explains more: the start of the mission does all, a release time the rest; else the earlier one does."""
+
+        def key(one: Event) -> tuple[bool, bool, int]:
+            time = self._bonds.time(one)
+            return time > 0, self._bonds.held_back(one) is None, time
+
+        return key(event) < key(furthest)
+
     def _gap(self, event: Event) -> Event | None:
-        """A wait that nothing explains, down to the last cause before it; where that leads, None if there is none, or a release time."""
+        """
+        A wait that no other event explains, down to the last cause before it.
+
+        Where that leads; None if there is no such cause, or if it is known why it is waited.
+        """
         bonds, time = self._bonds, self._bonds.time(event)
-        if bonds.released(event):
-            self._bind("release")
+        if (known := bonds.held_back(event)) is not None:
+            self._bind(known)
             self._put("wait", event.leaf, 0, time)
             return None
         past = [cause for cause in bonds.causes(event) if bonds.time(cause.event) + cause.lag < time]

@@ -59,6 +59,14 @@ class Spans:
                 over[node] = self._later(over[node], over[given.parent])
         return {leaf: last for leaf in self._at if (last := over[leaf]) is not None}
 
+    def above(self, node: int) -> set[int]:
+        """A node and all above it."""
+        found: set[int] = set()
+        while node >= 0:
+            found.add(node)
+            node = self._tree.nodes[node].parent
+        return found
+
     def _later(self, first: int | None, second: int | None) -> int | None:
         given = [leaf for leaf in (first, second) if leaf is not None]
         return min(given, key=lambda leaf: (-ms(self._at[leaf].end_s), leaf), default=None)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from missiontree.reporting.critical.chain import Step
+from missiontree.mission.chain import Step
 from missiontree.reporting.palette import Livery
 
 

@@ -6,11 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from missiontree.mission.chain import Step
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
 from missiontree.reporting.critical.bonds import Bonds, Event
-from missiontree.reporting.critical.chain import Step, critical_chain
+from missiontree.reporting.critical.chain import critical_chain
 from missiontree.reporting.critical.spans import ms
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.gantt.content import Bar, Content, Order, Row, Stretch
@@ -25,9 +26,9 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
     """What there is to see of a schedule that has actions."""
     assert plan.grounding is not None
     tree = plan.grounding.tree
-    resources = plan.brief.world.resources
-    chain = critical_chain(tree, schedule, resources)
-    bonds = Bonds(tree, schedule, resources)
+    resources, fleet = plan.brief.world.resources, plan.brief.fleet
+    chain = critical_chain(tree, schedule, resources, fleet)
+    bonds = Bonds(tree, schedule, resources, fleet)
     own: dict[str, list[ScheduledAction]] = {}
     for one in bonds.at.values():
         own.setdefault(one.robot, []).append(one)

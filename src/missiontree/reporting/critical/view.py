@@ -1,0 +1,87 @@
+"""Why a schedule is as long as it is, for the terminal: the parts of its critical chain, which follow each other without a gap."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
+
+from missiontree.mission.chain import CriticalChain
+from missiontree.mission.plan import Plan
+from missiontree.mission.schedule import Schedule
+from missiontree.reporting.critical.chain import chain_of
+from missiontree.reporting.critical.parts import Part, parts_of
+from missiontree.reporting.gantt.time import in_words, span
+
+BRIEF = 8
+"""Parts that are told of a chain beside other things; of a longer one, those at both ends."""
+
+
+def title_of(chain: CriticalChain) -> str:
+    """What the time goes into: ``Why alternative 1 takes 325 s: 257.8 s of work and 67.2 s on the way, one after the other``."""
+    spent = [
+        f"{in_words(time_s)} {what}"
+        for time_s, what in ((chain.work_s, "of work"), (chain.travel_s, "on the way"), (chain.waiting_s, "of waiting"))
+        if time_s
+    ]
+    listed = " and ".join([", ".join(spent[:-1]), spent[-1]]) if len(spent) > 1 else "".join(spent)
+    follow = ", one after the other" if len(chain.steps) > 1 else ""
+    return f"Why alternative {chain.rank} takes {in_words(chain.makespan_s)}: {listed}{follow}"
+
+
+def chain_view(plan: Plan, schedule: Schedule, most: int | None = None) -> Group:
+    """
+    The parts of the chain, a line each.
+
+    Parameters
+    ----------
+    plan, schedule
+        A schedule of the plan that has actions.
+    most
+        Parts that are told at most; of a longer chain those at both ends are. Default: all.
+    """
+    parts = parts_of(plan, schedule)
+    table = Table.grid(padding=(0, 2, 0, 0))
+    table.add_column(no_wrap=True, justify="right")
+    table.add_column(no_wrap=True)
+    table.add_column()
+    for part in _both_ends(parts, most):
+        if part is None:
+            table.add_row(
+                "", "", Text(f"… {len(parts) - (most or 0)} more; --why-so-long tells all of them", style="dim")
+            )
+        else:
+            table.add_row(
+                Text(span(part.start_s, part.end_s, schedule.makespan_s)), Text(part.robot, style="cyan"), _what(part)
+            )
+    return Group(table)
+
+
+def title_and_view(plan: Plan, schedule: Schedule, most: int | None = None) -> tuple[str, list[Group]]:
+    """Title and parts of the chain; no parts if nothing takes time."""
+    chain = chain_of(plan, schedule)
+    return title_of(chain), [chain_view(plan, schedule, most)] if chain.steps else []
+
+
+def _both_ends(parts: Sequence[Part], most: int | None) -> Iterator[Part | None]:
+    """The parts to be told, None where some are left out."""
+    if most is None or len(parts) <= most + 1:
+        yield from parts
+        return
+    yield from parts[: most // 2]
+    yield None
+    yield from parts[len(parts) - (most - most // 2) :]
+
+
+def _what(part: Part) -> Text:
+    line = Text(part.what, style="dim" if part.waits else "")
+    lasts_s = part.end_s - part.start_s
+    if part.travel_s and part.travel_s < lasts_s - 5e-4:
+        line.append(f", {in_words(part.travel_s)} of it on the way", style="dim")
+    elif part.travel_s:
+        line.append(", all of it on the way", style="dim")
+    if part.after:
+        line.append(f"; {part.after}", style="dim")
+    return line
