@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from missiontree.checking import (
     abilities,
     budgets,
@@ -31,11 +33,12 @@ from missiontree.checking import (
 )
 from missiontree.checking.case import Case, Rule
 from missiontree.checking.fault import Fault
+from missiontree.mission.certificate import Certificate
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 from missiontree.rechecking import recheck
 
-RULES: tuple[Rule, ...] = (
+_PLAN_RULES: tuple[Rule, ...] = (
     inputs.digest_mismatch,
     inputs.digest_unknown,
     provenance.transcript_missing,
@@ -109,6 +112,8 @@ RULES: tuple[Rule, ...] = (
     outcome.reason_uncalled,
     outcome.schedule_astray,
     outcome.schedule_not_empty,
+)
+SCHEDULE_RULES: tuple[Rule, ...] = (
     selection.action_missing,
     selection.action_extra,
     selection.action_double,
@@ -157,7 +162,11 @@ RULES: tuple[Rule, ...] = (
     makespan.solver_word_unfounded,
     proofs.claim_unfounded,
 )
+"""Those that look at schedules beside the alternatives they belong to."""
+RULES: tuple[Rule, ...] = (*_PLAN_RULES, *SCHEDULE_RULES)
 """Every rule, in the order of its findings. The name of the function is the code of the rule."""
+
+_UNJUDGED = Certificate(claim="unproven", method="enumeration")
 
 
 def check(plan: Plan) -> tuple[Reason, ...]:
@@ -178,8 +187,28 @@ def check(plan: Plan) -> tuple[Reason, ...]:
     tuple of Reason
         Findings, each naming rule, node and robot; empty if the plan is sound.
     """
+    return _checked(plan, RULES)
+
+
+def check_schedules(plan: Plan) -> tuple[Reason, ...]:
+    """
+    Check the schedules of a plan alone, whatever its ranking and its record may claim.
+
+    Parameters
+    ----------
+    plan
+        Its fleet need not be the one that the ranking was made for: a schedule is held against the fleet that the plan has.
+    """
+    ranking = plan.ranking
+    if ranking is not None:
+        alternatives = tuple(replace(one, certificate=_UNJUDGED) for one in ranking.alternatives)
+        ranking = replace(ranking, alternatives=alternatives, status="partial", certificate=_UNJUDGED)
+    return _checked(replace(plan, ranking=ranking), SCHEDULE_RULES)
+
+
+def _checked(plan: Plan, rules: tuple[Rule, ...]) -> tuple[Reason, ...]:
     case = Case(plan)
-    findings = tuple(_reason(rule, fault) for rule in RULES for fault in rule(case))
+    findings = tuple(_reason(rule, fault) for rule in rules for fault in rule(case))
     return findings or tuple(recheck(plan))
 
 

@@ -10,8 +10,9 @@ import typer
 
 from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES
+from missiontree.cli.lengths import show_length
 from missiontree.cli.pictures import Asked, refuse_impossible, write_pictures
-from missiontree.cli.ranks import known_rank
+from missiontree.cli.ranks import known_rank, scheduled_rank
 from missiontree.cli.screen import remark, show
 from missiontree.cli.views import known_view, order_view, view_of
 from missiontree.errors import InputError
@@ -53,6 +54,21 @@ def command(
         int | None,
         typer.Option("--order", metavar="RANK", help="Print the topological order of each robot in an alternative."),
     ] = None,
+    why_so_long: Annotated[
+        bool,
+        typer.Option(
+            "--why-so-long",
+            help="Print why the schedule is as long as it is, and which robot would shorten it: it is scheduled anew with that robot.",
+        ),
+    ] = False,
+    time_limit: Annotated[
+        float,
+        typer.Option(
+            "--time-limit",
+            metavar="SECONDS",
+            help="Seconds that scheduling anew may take, with --why-so-long. Default 20.",
+        ),
+    ] = 20.0,
     as_json: options.AsJson = False,
     colour: options.Colour = None,
 ) -> int:
@@ -68,6 +84,8 @@ def command(
         written = write_pictures(value, asked)
         if transcript:
             typer.echo("\n".join(value.provenance.transcript))
+        elif why_so_long:
+            show_length(value, scheduled_rank(value, rank, "--why-so-long"), time_limit, as_json, colour)
         elif order is not None:
             show(order_view(value, known_rank(value, order, "--order")), colour)
         elif as_json:

@@ -23,6 +23,7 @@ from missiontree.formats.source import load_text
 from missiontree.formats.validation import to_value
 from missiontree.mission.alternative import Alternative, Ranking
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.chain import WhySoLong
 from missiontree.mission.explanation import Explanation
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree, Grounding
@@ -46,6 +47,7 @@ KINDS: dict[str, type[Any]] = {
     "ranking": Ranking,
     "schedule": Schedule,
     "plan": Plan,
+    "why_so_long": WhySoLong,
     "explanation": Explanation,
 }
 """Name of each kind of document to its value. All are in version 1."""

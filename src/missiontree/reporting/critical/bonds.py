@@ -196,7 +196,8 @@ class Bonds:
             if latest is not None and end < latest:
                 return
             latest = end
-            yield Cause("robot", Event("end", leaf))
+            bond: Bond = "role" if self._before.get(event.leaf) == leaf else "robot"
+            yield Cause(bond, Event("end", leaf))
 
     def _entities(self, event: Event) -> Iterator[Cause]:
         """Who is brought here first, and who still needs what is to be taken away."""

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rich.console import Group
+from rich.console import Group, RenderableType
+from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from missiontree.mission.chain import CriticalChain
+from missiontree.mission.chain import CriticalChain, WhySoLong
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
+from missiontree.reporting.critical.additions import addition_lines
 from missiontree.reporting.critical.chain import chain_of
 from missiontree.reporting.critical.parts import Part, parts_of
 from missiontree.reporting.gantt.time import in_words, span
@@ -63,6 +65,18 @@ def title_and_view(plan: Plan, schedule: Schedule, most: int | None = None) -> t
     """Title and parts of the chain; no parts if nothing takes time."""
     chain = chain_of(plan, schedule)
     return title_of(chain), [chain_view(plan, schedule, most)] if chain.steps else []
+
+
+def why_view(why: WhySoLong, plan: Plan, schedule: Schedule) -> Group:
+    """The whole answer: what the time goes into, the parts of the chain, and what more robots would bring."""
+    lines: list[RenderableType] = [Text(title_of(why.chain), style="bold")]
+    lines.append(Padding(chain_view(plan, schedule), (0, 0, 0, 2), expand=False))
+    told = list(addition_lines(why, schedule, plan.brief.fleet))
+    if told:
+        scheduler = plan.provenance.scheduler or "greedy"
+        lines += [Text(""), Text(f"What more robots would bring (scheduled anew by {scheduler})", style="bold")]
+        lines += [Padding(Text(one), (0, 0, 0, 2), expand=False) for one in told]
+    return Group(*lines)
 
 
 def _both_ends(parts: Sequence[Part], most: int | None) -> Iterator[Part | None]:
