@@ -21,9 +21,10 @@ BLOCK = re.compile(r"(<!-- output: (?P<arguments>[^\n]*) -->\n```text\n)(?P<text
 
 
 def printed(arguments: str, folder: Path) -> str:
-    """What the command prints on standard output, in a folder that ``missiontree init`` wrote."""
-    command = [sys.executable, "-m", "missiontree", *shlex.split(arguments)]
-    done = subprocess.run(command, capture_output=True, text=True, cwd=folder, encoding="utf-8", check=False)
+    """What the command prints on standard output, in a folder that ``missiontree init`` wrote; of several, parted by ``&&``, the last."""
+    for one in arguments.split(" && "):
+        command = [sys.executable, "-m", "missiontree", *shlex.split(one)]
+        done = subprocess.run(command, capture_output=True, text=True, cwd=folder, encoding="utf-8", check=False)
     return TIMES.sub("", done.stdout or done.stderr)
 
 

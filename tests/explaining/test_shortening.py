@@ -6,7 +6,7 @@ from random import Random
 import pytest
 
 from benchmarks.schedule_cases import random_schedule_case
-from missiontree.explaining.enlarging import with_more
+from missiontree.explaining.enlarging import with_more, with_room
 from missiontree.explaining.shortening import why_so_long
 from missiontree.mission.chain import Addition
 from missiontree.mission.control import Control
@@ -14,6 +14,7 @@ from missiontree.mission.fleet import Fleet, Robot
 from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
+from missiontree.mission.shared_resource import SharedResource
 from missiontree.reporting.critical.additions import addition_lines
 from missiontree.reporting.critical.spans import ms
 from missiontree.reporting.critical.view import why_view
@@ -146,11 +147,32 @@ def test_no_verdict_is_beyond_what_the_schedule_shows(seed: int) -> None:
         assert one.verdict == ("shorter" if shorter else "not_shorter" if proven else "none_found")
 
 
+def test_one_more_place_at_a_shared_resource_is_tried_where_the_chain_waits_for_it() -> None:
+    """Two robots, two jobs of 3 s at one door with room for one: 6 s. With room for two, 3 s; with more robots, still 6 s."""
+    instance = mission([Part("A", "a", [work(3, holds=("door",))]), Part("B", "a", [work(3, holds=("door",))])])
+    world = Scene(resources=(SharedResource(id="door"),))
+    plan = made(instance, Fleet((robots("a", 2),)), world)
+    assert plan.schedules[0].makespan_s == 6
+    found = [
+        (dict(one.robots), dict(one.resources), one.verdict, one.makespan_s) for one in why_so_long(plan, 1).additions
+    ]
+    assert found[0] == ({}, {"door": 1}, "shorter", 3.0)
+    assert found[1][:3] == ({"a": 1}, {}, "not_shorter")
+    assert lines(plan)[0].startswith("one more place at door: 3 s instead of 6 s (proven shortest)")
+    told_in_parts = render(why_view(why_so_long(plan, 1), plan, plan.schedules[0]))
+    assert "once a-1 has left what both need: A.0" in told_in_parts
+
+
+def test_a_resource_that_there_is_not_gets_no_room() -> None:
+    with pytest.raises(ValueError, match="no shared resource 'gate'"):
+        with_room(Scene(), "gate")
+
+
 def test_with_no_time_left_nothing_is_tried_and_the_chain_stands() -> None:
     plan = made(mission([Part("A", "a", [work(3)])]), Fleet((robots("a"),)))
     why = why_so_long(plan, 1, Control(time_limit_s=0))
     assert (why.additions, why.unlimited, why.chain.makespan_s) == ((), None, 3.0)
-    assert "What more robots" not in render(why_view(why, plan, plan.schedules[0]))
+    assert "What more would bring" not in render(why_view(why, plan, plan.schedules[0]))
 
 
 def test_without_a_schedule_there_is_nothing_to_explain() -> None:

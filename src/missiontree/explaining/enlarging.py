@@ -1,10 +1,11 @@
-"""A fleet with more robots: copies of those that it has."""
+"""A fleet with more robots, copies of those that it has; and a scene with more room at a shared resource."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 from missiontree.mission.fleet import Fleet, Robot, RobotType
+from missiontree.mission.scene import Scene
 
 
 def with_more(fleet: Fleet, type_id: str, count: int = 1, like: str | None = None) -> Fleet:
@@ -31,6 +32,24 @@ def with_more(fleet: Fleet, type_id: str, count: int = 1, like: str | None = Non
         raise ValueError(f"the fleet has no robot type {type_id!r}, or no robot {like!r} of it.")
     kinds = tuple(_larger(kind, count, like, fleet) if kind.id == type_id else kind for kind in fleet.types)
     return replace(fleet, types=kinds)
+
+
+def with_room(scene: Scene, resource_id: str, places: int = 1) -> Scene:
+    """
+    The scene with more places at a shared resource.
+
+    Raises
+    ------
+    ValueError
+        If the scene has no such resource.
+    """
+    if all(resource.id != resource_id for resource in scene.resources):
+        raise ValueError(f"the scene has no shared resource {resource_id!r}.")
+    resources = tuple(
+        replace(resource, capacity=resource.capacity + places) if resource.id == resource_id else resource
+        for resource in scene.resources
+    )
+    return replace(scene, resources=resources)
 
 
 def _larger(kind: RobotType, count: int, like: str | None, fleet: Fleet) -> RobotType:

@@ -1,23 +1,25 @@
 """
-Which robot to add to shorten a schedule: answered by scheduling the same alternative anew, with that robot in the team.
+Which robot or resource to add to shorten a schedule: answered by scheduling the same alternative anew, with that in it.
 
-The same scheduler is asked, with the same seed, so that what differs is the team. Whatever it finds has passed the checker's rules of
+The same scheduler is asked, with the same seed, so that what differs is what was added. Whatever it finds has passed the checker's rules of
 schedules before it is told.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from missiontree.checking.checker import check_schedules
 from missiontree.errors import InternalError
-from missiontree.explaining.enlarging import with_more
+from missiontree.explaining.enlarging import with_more, with_room
 from missiontree.mission.alternative import Alternative
+from missiontree.mission.brief import MissionBrief
 from missiontree.mission.chain import Addition, Verdict, WhySoLong
 from missiontree.mission.control import Control
-from missiontree.mission.fleet import Fleet, RobotType
+from missiontree.mission.fleet import RobotType
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.critical.chain import chain_of
@@ -52,8 +54,17 @@ def why_so_long(plan: Plan, rank: int, control: Control | None = None) -> WhySoL
     schedule = next((one for one in plan.schedules if one.rank == rank and one.actions), None)
     if schedule is None or plan.grounding is None or plan.ranking is None:
         raise ValueError(f"alternative {rank} has no schedule.")
-    chain = chain_of(plan.grounding.tree, schedule, plan.brief.fleet)
+    chain = chain_of(plan, schedule)
     return _Shortening(plan, schedule, control or Control(seed=plan.provenance.seed)).told(WhySoLong(chain=chain))
+
+
+class _Larger(NamedTuple):
+    """A brief with more in it, and what that is."""
+
+    brief: MissionBrief
+    robots: Mapping[str, int]
+    resources: Mapping[str, int]
+    like: str | None = None
 
 
 class _Shortening:
@@ -64,53 +75,73 @@ class _Shortening:
         self._plan, self._schedule, self._control = plan, schedule, control
         self._alternative: Alternative = plan.ranking.alternatives[schedule.rank - 1]
         self._roles = Counter(filled.robot_type for filled in self._alternative.roles)
-        self._fleet = plan.brief.fleet
+        self._brief = plan.brief
 
     def told(self, why: WhySoLong) -> WhySoLong:
         """With everything that was tried while time was left."""
-        kinds = [kind for kind in self._fleet.types if self._roles[kind.id]]
-        most = sum(self._roles.values()) <= MOST_ROLES and len(kinds) <= MOST_TYPES
-        questions = sum(len(_models(kind)) for kind in kinds[:MOST_TYPES]) + most
-        found: list[Addition] = []
-        for kind in kinds[:MOST_TYPES] if why.chain.steps else ():
+        if not why.chain.steps:
+            return why
+        kinds = [kind for kind in self._brief.fleet.types if self._roles[kind.id]]
+        asked = [[self._one_more(kind, like) for like in _models(kind)] for kind in kinds[:MOST_TYPES]]
+        asked += [[self._more_room(resource)] for resource in self._waited_for(why)]
+        few = sum(self._roles.values()) <= MOST_ROLES and len(kinds) <= MOST_TYPES
+        left, found = sum(map(len, asked)) + few, list[Addition]()
+        for models in asked:
             tried: list[Addition] = []
-            for like in _models(kind):
+            for one in models:
                 if not self._control.ended():
-                    fleet = with_more(self._fleet, kind.id, like=like)
-                    tried.append(self._addition(fleet, {kind.id: 1}, like, 1 / max(1, questions)))
-                questions -= 1
-            if tried:
-                found.append(min(tried, key=_worth))
-        unlimited = self._unlimited(kinds) if most and why.chain.steps and not self._control.ended() else None
+                    tried.append(self._told(one, 1 / left))
+                left -= 1
+            found += [min(tried, key=_worth)] if tried else []
+        unlimited = self._told(self._everyone(kinds), 1.0) if few and not self._control.ended() else None
         return replace(why, additions=tuple(sorted(found, key=_worth)), unlimited=unlimited)
 
-    def _unlimited(self, kinds: list[RobotType]) -> Addition:
-        fleet = self._fleet
+    def _one_more(self, kind: RobotType, like: str | None) -> _Larger:
+        return _Larger(
+            replace(self._brief, fleet=with_more(self._brief.fleet, kind.id, like=like)), {kind.id: 1}, {}, like
+        )
+
+    def _more_room(self, resource: str) -> _Larger:
+        assert self._brief.scene is not None
+        return _Larger(replace(self._brief, scene=with_room(self._brief.scene, resource)), {}, {resource: 1})
+
+    def _everyone(self, kinds: Sequence[RobotType]) -> _Larger:
+        fleet = self._brief.fleet
         for kind in kinds:
             fleet = with_more(fleet, kind.id, self._roles[kind.id])
-        return self._addition(fleet, {kind.id: self._roles[kind.id] for kind in kinds}, None, 1.0)
+        return _Larger(replace(self._brief, fleet=fleet), {kind.id: self._roles[kind.id] for kind in kinds}, {})
 
-    def _addition(self, fleet: Fleet, robots: Mapping[str, int], like: str | None, share: float) -> Addition:
-        anew = self._scheduled(fleet, share)
+    def _waited_for(self, why: WhySoLong) -> list[str]:
+        """Shared resources that the chain waits for."""
+        assert self._plan.grounding is not None
+        held = [
+            self._plan.grounding.tree.action(step.leaf).holds for step in why.chain.steps if step.bond == "resource"
+        ]
+        return sorted({name for names in held for name in names if name in self._brief.world.shared})
+
+    def _told(self, larger: _Larger, share: float) -> Addition:
+        anew = self._scheduled(larger.brief, share)
         return Addition(
-            robots=robots,
-            like=like,
+            robots=larger.robots,
+            resources=larger.resources,
+            like=larger.like,
             verdict=self._verdict(anew),
             status=anew.status,
             makespan_s=anew.makespan_s,
             certificate=anew.certificate,
         )
 
-    def _scheduled(self, fleet: Fleet, share: float) -> Schedule:
+    def _scheduled(self, brief: MissionBrief, share: float) -> Schedule:
         """The alternative scheduled anew, by the same scheduler."""
-        plan, brief = self._plan, self._plan.brief
+        plan = self._plan
         assert plan.grounding is not None
         assert plan.ranking is not None
         scene = brief.world.extended(plan.tree.entities if plan.tree is not None else ())
         scheduler = SCHEDULERS[plan.provenance.scheduler or "greedy"]
-        anew = scheduler(plan.grounding.tree, self._alternative, fleet, scene, self._control.part(share), brief.terms)
+        control = self._control.part(share)
+        anew = scheduler(plan.grounding.tree, self._alternative, brief.fleet, scene, control, brief.terms)
         only = replace(plan.ranking, alternatives=(self._alternative,))
-        faults = check_schedules(replace(plan, brief=replace(brief, fleet=fleet), ranking=only, schedules=(anew,)))
+        faults = check_schedules(replace(plan, brief=brief, ranking=only, schedules=(anew,)))
         if faults:
             raise InternalError(
                 f"the checker refuses a schedule of a larger team: {faults[0].rule}: {faults[0].message}"
@@ -125,7 +156,7 @@ class _Shortening:
         return "not_shorter" if bound is not None and ms(bound) >= now else "none_found"
 
 
-def _models(kind: RobotType) -> Iterator[str | None] | list[str | None]:
+def _models(kind: RobotType) -> list[str | None]:
     """Robots of a type that differ, by name; None if all are alike."""
     if not kind.robots:
         return [None]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from missiontree.mission.certificate import Certificate
@@ -95,12 +95,14 @@ Verdict = Literal["shorter", "not_shorter", "none_found"]
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Addition(Value):
     """
-    More of a team, and what scheduling the same alternative anew, in the same way, comes to.
+    More of a team or of a shared resource, and what scheduling the same alternative anew, in the same way, comes to.
 
     Parameters
     ----------
     robots
-        How many robots are added, by type.
+        How many robots are added, by type; empty if none is.
+    resources
+        By how much the capacity of shared resources is raised; empty if none is.
     like
         Robot of which the one that is added is a copy: it starts where that one does, with as much; None where robots of its type
         are all alike, or where several are added.
@@ -114,7 +116,8 @@ class Addition(Value):
         The bound on it, and the method behind the status.
     """
 
-    robots: Mapping[Id, Count]
+    robots: Mapping[Id, Count] = field(default_factory=dict)
+    resources: Mapping[Id, Count] = field(default_factory=dict)
     like: Id | None = None
     verdict: Verdict
     status: ScheduleStatus
@@ -132,7 +135,8 @@ class WhySoLong(Value):
     chain
         Its critical chain.
     additions
-        One more robot of each type that takes part, those that shorten it most first.
+        One more robot of each type that takes part, and one more place at each shared resource that is waited for; those that shorten it
+        most first.
     unlimited
         As many more robots of every type as there are roles, so that nobody is ever waited for; None if that was not tried.
     """

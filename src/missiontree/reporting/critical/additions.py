@@ -1,4 +1,4 @@
-"""What more robots would bring, in sentences; each of them was scheduled."""
+"""What more robots, or more room at a shared resource, would bring, in sentences; each of them was scheduled."""
 
 from __future__ import annotations
 
@@ -45,6 +45,10 @@ def _added(one: Addition, fleet: Fleet) -> str:
     for type_id, count in one.robots.items():
         label = one_line(fleet.by_id[type_id].label) if type_id in fleet.by_id else type_id
         listed.append(f"one more {label}" if count == 1 else f"{count} more {label}")
+    listed += [
+        f"{'one more place' if count == 1 else f'{count} more places'} at {name}"
+        for name, count in one.resources.items()
+    ]
     like = f" like {one.like}" if one.like is not None else ""
     return ", ".join(listed) + like
 

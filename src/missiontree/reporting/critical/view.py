@@ -74,7 +74,7 @@ def why_view(why: WhySoLong, plan: Plan, schedule: Schedule) -> Group:
     told = list(addition_lines(why, schedule, plan.brief.fleet))
     if told:
         scheduler = plan.provenance.scheduler or "greedy"
-        lines += [Text(""), Text(f"What more robots would bring (scheduled anew by {scheduler})", style="bold")]
+        lines += [Text(""), Text(f"What more would bring (scheduled anew by {scheduler})", style="bold")]
         lines += [Padding(Text(one), (0, 0, 0, 2), expand=False) for one in told]
     return Group(*lines)
 
