@@ -156,7 +156,7 @@ class _Shortening:
         return "not_shorter" if bound is not None and ms(bound) >= now else "none_found"
 
 
-def _models(kind: RobotType) -> list[str | None]:
+def _models(kind: RobotType) -> Sequence[str | None]:
     """Robots of a type that differ, by name; None if all are alike."""
     if not kind.robots:
         return [None]
