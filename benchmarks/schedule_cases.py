@@ -6,7 +6,7 @@ Everything lies on a line, so that distances need no map. Same generator, same c
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from random import Random
 
 from missiontree.mission.alternative import Alternative, Choice, RoleType
@@ -80,6 +80,9 @@ def random_schedule_case(rng: Random) -> ScheduleCase:
     scene = _scene(draw)
     alternative = _alternative(tree)
     fleet, terms = _terms(draw, tree, alternative, fleet)
+    if rng.random() < 0.3:
+        draw.features.add("home")
+        terms = replace(terms, return_home=True, home_by_s=float(rng.randint(8, 40)) if rng.random() < 0.3 else None)
     return ScheduleCase(tree, alternative, fleet, scene, terms, frozenset(draw.features))
 
 

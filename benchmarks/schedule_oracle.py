@@ -9,7 +9,7 @@ resource every way is tried in which its places can be passed on from one holder
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations, permutations, product
 
@@ -195,13 +195,10 @@ class Oracle:
         if self.steps > MOST_STEPS:
             raise TooMuchError
         if len(world.start) == len(self.leaves):
-            makespan = max(world.end.values())
-            if (
-                len(world.end) == len(self.leaves)
-                and self._whole(world)
-                and (self.best is None or makespan < self.best)
-            ):
-                self.best = makespan
+            world = world.copy()
+            if len(world.end) == len(self.leaves) and self._home(world) and self._whole(world):
+                makespan = max(*world.end.values(), *(world.free[robot] for robot in world.robot_of.values()))
+                self.best = makespan if self.best is None else min(self.best, makespan)
             return
         for unit in self.units:
             if unit[0] in world.start or not self._may_begin(world, unit, latest):
@@ -280,7 +277,7 @@ class Oracle:
         for leaf in unit:
             action = self._action(leaf)
             robot = robots[action.role]
-            if not self._spend(after, robot, action, ways[leaf][1]):
+            if not self._spend(after, robot, action.uses, ways[leaf][1]):
                 return None
             after.robot_of[action.role] = robot
             after.start[leaf] = start
@@ -366,9 +363,25 @@ class Oracle:
         caps = [self.case.scene.by_id[name].max_speed_mps for name in action.brings]
         return _ms(metres / min([speed, *(cap for cap in caps if cap is not None)])), metres
 
-    def _spend(self, world: _World, robot: str, action: Action, metres: float) -> bool:
+    def _home(self, world: _World) -> bool:
+        """Whether all that took part get home, where they must; they are there afterwards."""
+        home_by = self.case.terms.home_by_s
+        for robot in sorted({*world.robot_of.values()}) if self.case.terms.return_home else ():
+            start, here = self.fleet.robots[robot].position, world.spot[robot]
+            if start is None:  # the start of its type, if the type has one
+                start = self.fleet.type_of[robot].position
+            metres = 0.0 if start is None or here is None else abs(start.x_m - here)
+            speed = self.fleet.type_of[robot].limits.get("max_speed_mps")
+            world.free[robot] += 0 if speed is None else _ms(metres / speed)
+            if not self._spend(world, robot, {}, metres):
+                return False
+            if home_by is not None and world.free[robot] > round(home_by * 1000):
+                return False
+        return True
+
+    def _spend(self, world: _World, robot: str, uses: Mapping[str, float], metres: float) -> bool:
         kind = self.fleet.type_of[robot]
-        use = dict(action.uses)
+        use = dict(uses)
         for name, amount in kind.uses_per_m.items():
             use[name] = use.get(name, 0.0) + amount * metres
         for name, amount in use.items():

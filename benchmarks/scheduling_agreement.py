@@ -151,6 +151,8 @@ def _plan(case: ScheduleCase, result: Schedule) -> Plan:
         scene=case.scene,
         routines=RoutineLibrary(routines=()),
         require=case.terms.require,
+        return_home=case.terms.return_home,
+        deadline_s=case.terms.home_by_s,
     )
     return Plan(
         outcome="delivered",

@@ -120,6 +120,7 @@ def request_from(
     accumulate: Accumulate | None = None,
     diverse: bool | None = None,
     parts: Mapping[str, float] | None = None,
+    return_home: bool | None = None,
     project: Path | None = None,
     **options: Any,
 ) -> Request:
@@ -137,7 +138,7 @@ def request_from(
         Routines, or files of them, beside the built-in ones.
     methods
         Files of the user's own, beside the built-in ones.
-    weights, check_kinds, accumulate, diverse
+    weights, check_kinds, accumulate, diverse, return_home
         See :class:`MissionBrief`.
     without, require
         Robot types and robots that take no part, or must; added to those of the mission file.
@@ -160,6 +161,8 @@ def request_from(
     _refuse_others(mission=mission, fleet=fleet, scene=scene, routines=routines, methods=methods, **options)
     _refuse_others(mission=mission, without=without, require=require, min_quality=min_quality)
     _refuse_other_aims(accumulate, diverse)
+    if return_home is not None and not isinstance(return_home, bool):
+        raise InputError(f"return_home is {return_home!r:.60}", accepted="true or false")
     if isinstance(mission, str) and mission.endswith(MISSION_FILES):
         mission = Path(mission)
     path = mission if isinstance(mission, Path) else project
@@ -198,6 +201,7 @@ def request_from(
             accumulate=file.accumulate if accumulate is None else accumulate,
             diverse=file.diverse if diverse is None else diverse,
             parts=parts if parts is not None else file.parts if isinstance(mission, Path) else {},
+            return_home=file.return_home if return_home is None else return_home,
         )
         refuse_huge(brief.fleet, brief.routines, brief.weights)
     except ValueError as error:

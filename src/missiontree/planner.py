@@ -73,6 +73,7 @@ def plan(
     estimator: Estimator | Callable[..., Estimate] | Path | str | None = None,
     accumulate: Accumulate | None = None,
     diverse: bool | None = None,
+    return_home: bool | None = None,
     k: int | None = None,
     allocator: str | None = None,
     scheduler: str | None = None,
@@ -116,6 +117,9 @@ def plan(
         How the utilities of actions make that of an alternative: ``sum`` (default), ``mean`` or ``min``.
     diverse
         Whether alternatives are to differ in team, the set of robot types that take part. Default false.
+    return_home
+        Whether each robot that takes part goes back to where it started, after its last action. Default: as the mission file says,
+        else false.
     k
         How many alternatives are asked for, at least 1. Default 4.
     allocator
@@ -158,6 +162,7 @@ def plan(
         estimator=estimator,
         accumulate=accumulate,
         diverse=diverse,
+        return_home=return_home,
         k=k,
         allocator=allocator,
         scheduler=scheduler,

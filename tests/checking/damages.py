@@ -26,7 +26,7 @@ from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Need, Routine, RoutineLibrary
-from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.schedule import OwnLeg, Schedule, ScheduledAction, TravelLeg
 from missiontree.mission.search_limit import SearchLimit
 from missiontree.mission.tree import Link, MissionNode
 
@@ -148,6 +148,18 @@ def with_done(plan: Plan, place: int, number: int, **changes: Any) -> Plan:
     actions = list(plan.schedules[place].actions)
     actions[number] = replace(actions[number], **changes)
     return with_schedule(plan, place, actions=tuple(actions))
+
+
+def returning(plan: Plan) -> Iterator[tuple[int, Schedule, int, OwnLeg]]:
+    for place, schedule in schedules(plan):
+        for number, leg in enumerate(schedule.returns):
+            yield place, schedule, number, leg
+
+
+def with_return(plan: Plan, place: int, number: int, **changes: Any) -> Plan:
+    returns = list(plan.schedules[place].returns)
+    returns[number] = replace(returns[number], **changes)
+    return with_schedule(plan, place, returns=tuple(returns))
 
 
 def with_leg(plan: Plan, place: int, number: int, **changes: Any) -> Plan:
@@ -558,8 +570,8 @@ def released_later(plan: Plan) -> Iterator[Plan]:
 @breaks("deadline_missed")
 def due_earlier(plan: Plan) -> Iterator[Plan]:
     for _, schedule in schedules(plan):
-        if schedule.makespan_s > 1:
-            yield replace(plan, brief=replace(plan.brief, deadline_s=schedule.makespan_s - 0.002))
+        if (last_s := max((done.end_s for done in schedule.actions), default=0.0)) > 1:
+            yield replace(plan, brief=replace(plan.brief, deadline_s=last_s - 0.002))
 
 
 @breaks("deadline_missed")
@@ -1601,3 +1613,93 @@ def part_too_small(plan: Plan) -> Iterator[Plan]:
     """The mission could have been done with a robot that is there again, and still the part is said to be the largest."""
     if plan.partial is not None and plan.brief.without:
         yield with_brief(plan, without=())
+
+
+# Ways home.
+
+
+@breaks("own_leg_missing")
+def return_dropped(plan: Plan) -> Iterator[Plan]:
+    for place, schedule, number, leg in returning(plan):
+        if leg.distance_m > 0.01:
+            yield with_schedule(plan, place, returns=without(schedule.returns, number))
+
+
+@breaks("return_extra")
+def return_doubled(plan: Plan) -> Iterator[Plan]:
+    for place, schedule, _, leg in returning(plan):
+        yield with_schedule(plan, place, returns=(*schedule.returns, leg))
+
+
+@breaks("return_extra")
+def return_unasked(plan: Plan) -> Iterator[Plan]:
+    """Nobody asks for it, or it is of a robot that does nothing."""
+    for place, schedule, number, _ in returning(plan):
+        yield replace(plan, brief=replace(plan.brief, return_home=False))
+        busy = {done.robot for done in schedule.actions}
+        for robot in plan.brief.fleet.robots.keys() - busy:
+            yield with_return(plan, place, number, robot=robot)
+        break
+
+
+@breaks("own_leg_misplaced")
+def return_elsewhere(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in returning(plan):
+        yield with_return(plan, place, number, origin=replace(leg.origin, x_m=leg.origin.x_m + 1))
+        yield with_return(plan, place, number, destination=replace(leg.destination, y_m=leg.destination.y_m - 1))
+        yield with_return(plan, place, number, destination=replace(leg.destination, frame="odom"))
+
+
+@breaks("own_leg_without_way")
+def return_into_nowhere(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in returning(plan):
+        yield with_return(plan, place, number, destination=replace(leg.destination, floor="attic"))
+
+
+@breaks("own_leg_understated")
+def return_shortened(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in returning(plan):
+        if leg.distance_m > 0.01:
+            yield with_return(plan, place, number, distance_m=leg.distance_m * 0.99)
+
+
+@breaks("own_leg_too_fast")
+def return_hurried(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in returning(plan):
+        if leg.end_s - leg.start_s > 0.01:
+            yield with_return(plan, place, number, start_s=round((leg.start_s + leg.end_s) / 2, 3))
+
+
+@breaks("own_leg_at_wrong_time")
+def return_before_the_end(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in returning(plan):
+        yield with_return(plan, place, number, start_s=round(leg.start_s - 0.5, 3), end_s=round(leg.end_s - 0.5, 3))
+
+
+@breaks("own_leg_via_broken")
+def return_through_nothing(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in returning(plan):
+        yield with_return(plan, place, number, via=("narnia",))
+        if leg.via:
+            yield with_return(plan, place, number, via=())
+
+
+@breaks("return_late")
+def home_after_the_deadline(plan: Plan) -> Iterator[Plan]:
+    for _, schedule in schedules(plan):
+        if schedule.returns:
+            over_s = max(leg.end_s for leg in schedule.returns)
+            yield replace(plan, brief=replace(plan.brief, deadline_s=over_s - 0.01))
+
+
+@breaks("time_off_grid")
+def return_between_ticks(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, leg in returning(plan):
+        yield with_return(plan, place, number, end_s=leg.end_s + 0.0004)
+
+
+@breaks("schedule_unsorted")
+def returns_reversed(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        if len({leg.start_s for leg in schedule.returns}) > 1:
+            yield with_schedule(plan, place, returns=schedule.returns[::-1])

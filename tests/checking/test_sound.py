@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from missiontree.checking import check
@@ -31,6 +33,17 @@ def test_plans_under_rules_for_the_whole_mission_have_no_findings(batch: int) ->
         assert check(plan) == (), f"seed {seed}"
         outcomes.add(plan.outcome)
     assert {"delivered", "cannot_be_done"} <= outcomes
+
+
+def test_plans_whose_robots_go_home_have_no_findings() -> None:
+    """Thirty missions, some of them with a deadline that the ways home must keep."""
+    ways = 0
+    for seed in range(600, 630):
+        tree, brief = random_mission(seed)
+        plan = made(tree, replace(brief, return_home=True, deadline_s=200.0 if seed % 3 == 0 else None))
+        assert check(plan) == (), f"seed {seed}"
+        ways += sum(len(schedule.returns) for schedule in plan.schedules)
+    assert ways > 0, "no robot goes home: the missions test nothing"
 
 
 @pytest.mark.parametrize("allocator", ["exhaustive", "pruned"])

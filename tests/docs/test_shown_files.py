@@ -11,7 +11,8 @@ import pytest
 
 HOW_TO = Path(__file__).parents[2] / "docs/how-to"
 PAGES = {
-    name: (HOW_TO / name).read_text(encoding="utf-8") for name in ("limit-a-team.md", "set-times.md", "share-a-lift.md")
+    name: (HOW_TO / name).read_text(encoding="utf-8")
+    for name in ("limit-a-team.md", "set-times.md", "share-a-lift.md", "send-robots-home.md")
 }
 FILES = {
     name: dict(re.findall(r"<!-- example: (\w+) -->\n```yaml\n(.*?)```", page, re.DOTALL))
@@ -42,5 +43,6 @@ def test_the_pages_show_something() -> None:
         "limit-a-team.md": 4,
         "set-times.md": 3,
         "share-a-lift.md": 4,
+        "send-robots-home.md": 3,
     }
-    assert [sum(one[0] == name for one in SHOWN) for name in PAGES] == [6, 3, 2]
+    assert [sum(one[0] == name for one in SHOWN) for name in PAGES] == [6, 3, 2, 3]

@@ -11,8 +11,6 @@ from missiontree.formats.schema import values_in
 HEAD = "types:\n- id: cart\n  count: 2\n"  # three lines, a sound fleet
 
 PLANNED = [
-    ("fleet", HEAD + "  return_home: true\n", 4, "types[0].return_home", "must return"),
-    ("fleet", "types:\n- id: a\n  robots: [{id: r, home: x}]\n", 3, "types[0].robots[0].home", "must return"),
     ("fleet", HEAD + "  recharge: {}\n", 4, "types[0].recharge", "recharging"),
     ("scene", "entities: []\nchargers: []\n", 2, "chargers", "recharging"),
     (

@@ -74,7 +74,7 @@ def used_by_robot(case: Case, timetable: Timetable) -> Use:
     for deed in timetable.deeds.values():
         for name, amount in deed.action.uses.items():
             used[deed.robot, name] += amount
-    for leg in timetable.schedule.legs:
+    for leg in timetable.schedule.ways:
         kind = case.fleet.type_of.get(leg.robot)
         for name, per_m in kind.uses_per_m.items() if kind is not None else ():
             used[leg.robot, name] += per_m * leg.distance_m

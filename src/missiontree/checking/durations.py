@@ -26,6 +26,15 @@ def time_off_grid(case: Case) -> Iterator[Fault]:
                         found=f"{time_s!r} s",
                         needed="a whole number of milliseconds",
                     )
+        for leg in schedule.returns:
+            for time_s in (leg.start_s, leg.end_s):
+                if not on_grid(time_s):
+                    yield Fault(
+                        f"schedule {schedule.rank}: the way home of {leg.robot} has time {time_s!r} s, off the grid of 1 ms.",
+                        robot=leg.robot,
+                        found=f"{time_s!r} s",
+                        needed="a whole number of milliseconds",
+                    )
 
 
 def duration_wrong(case: Case) -> Iterator[Fault]:
@@ -93,3 +102,6 @@ def schedule_unsorted(case: Case) -> Iterator[Fault]:
             keys = [(entry.start_s, entry.leaf, entry.robot) for entry in entries]
             if keys != sorted(keys):
                 yield Fault(f"the {what} of schedule {schedule.rank} are not listed by start.")
+        homeward = [(leg.start_s, leg.robot) for leg in schedule.returns]
+        if homeward != sorted(homeward):
+            yield Fault(f"the ways home of schedule {schedule.rank} are not listed by start.")

@@ -89,11 +89,36 @@ def start_spot(case: Case, robot: Robot | None) -> Spot:
 def journeys(case: Case, timetable: Timetable) -> Iterator[Journey]:
     """What every robot of a schedule has to travel, robot by robot, in order of time."""
     movements = Movements(case, timetable)
-    for robot, deeds in timetable.by_robot.items():
-        spot, free_from = start_spot(case, case.fleet.robots.get(robot)), 0
-        for deed in deeds:
+    for robot in timetable.by_robot:
+        yield from (step for step in _steps(case, timetable, movements, robot) if isinstance(step, Journey))
+
+
+class Stand(NamedTuple):
+    """Where a robot is after all that it does, and from when, in ticks."""
+
+    spot: Spot
+    free_from: int
+
+
+def final_stands(case: Case, timetable: Timetable) -> dict[str, Stand]:
+    """Where every robot that does something is in the end."""
+    movements = Movements(case, timetable)
+    return {
+        robot: step
+        for robot in timetable.by_robot
+        for step in _steps(case, timetable, movements, robot)
+        if isinstance(step, Stand)
+    }
+
+
+def _steps(case: Case, timetable: Timetable, movements: Movements, robot: str) -> Iterator[Journey | Stand]:
+    """A robot's journeys in order of time, then where it ends."""
+    spot, free_from = start_spot(case, case.fleet.robots.get(robot)), 0
+    for deed in timetable.by_robot[robot]:
+        if deed.action.at is not None or deed.action.moves:
+            goals = movements.spots(deed.action.at, deed) if deed.action.at is not None else (None,)
             if deed.action.at is not None:
-                goals = movements.spots(deed.action.at, deed)
                 yield Journey(deed, spot, goals, free_from)
-                spot = goals[0] if len(goals) == 1 else None  # at which of them it is, nobody can tell
-            free_from = max(free_from, deed.end)
+            spot = goals[0] if len(goals) == 1 else None  # at which of them it is, nobody can tell
+        free_from = max(free_from, deed.end)
+    yield Stand(spot, free_from)

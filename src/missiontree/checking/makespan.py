@@ -6,17 +6,19 @@ from collections.abc import Iterator
 
 from missiontree.checking.case import Case
 from missiontree.checking.clock import TOLERANCE, shown, tick
+from missiontree.checking.errands import home_at
 from missiontree.checking.fault import Fault
 
 
 def makespan_wrong(case: Case) -> Iterator[Fault]:
-    """The makespan is not the end of the last action."""
+    """The makespan is not the end of the last action, or of the last way home where robots return."""
     for timetable in case.timetables:
-        needed = max((deed.end for deed in timetable.deeds.values()), default=0)
+        ends = [deed.end for deed in timetable.deeds.values()]
+        needed = max([*ends, *home_at(case, timetable).values()], default=0)
         found = tick(timetable.schedule.makespan_s)
         if abs(found - needed) > TOLERANCE:
             yield Fault(
-                f"schedule {timetable.schedule.rank} claims to last {shown(found)}; its last action ends at {shown(needed)}.",
+                f"schedule {timetable.schedule.rank} claims to last {shown(found)}; what is last in it ends at {shown(needed)}.",
                 found=shown(found),
                 needed=shown(needed),
             )

@@ -11,7 +11,7 @@ from missiontree.mission.area import Area
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
-from missiontree.mission.schedule import TravelLeg
+from missiontree.mission.schedule import Leg
 from missiontree.mission.ways import RoadGraph
 
 Step = tuple[str, float, float]
@@ -91,7 +91,7 @@ class RoadWays:
                 near.append((name, gap))
         return near
 
-    def problem(self, leg: TravelLeg) -> str:
+    def problem(self, leg: Leg) -> str:
         """What is wrong with the road nodes that a leg names, or leaves out; empty if nothing is."""
         if not leg.via:
             stays = leg.origin.floor == leg.destination.floor and _straight_m(leg.origin, leg.destination) <= 1e-3
@@ -116,7 +116,7 @@ class RoadWays:
             return f"claims {leg.distance_m:g} m; the way that it names is {metres:g} m long"
         return ""
 
-    def named_s(self, leg: TravelLeg, speed_mps: float) -> float:
+    def named_s(self, leg: Leg, speed_mps: float) -> float:
         """Seconds that the road nodes of a leg take at a speed; 0 where they are no way at all."""
         if self.problem(leg) or not leg.via:
             return 0.0

@@ -47,7 +47,7 @@ def robot_away(case: Case) -> Iterator[Fault]:
     """A robot travels or acts before it comes, or after it has left."""
     for timetable in case.timetables:
         spans = [(deed.robot, deed.start, deed.end) for deed in timetable.deeds.values()]
-        spans += [(leg.robot, tick(leg.start_s), tick(leg.end_s)) for leg in timetable.schedule.legs]
+        spans += [(leg.robot, tick(leg.start_s), tick(leg.end_s)) for leg in timetable.schedule.ways]
         for robot, start, end in spans:
             kind = case.fleet.type_of.get(robot)
             if kind is None:

@@ -15,7 +15,7 @@ from missiontree.checking.road_ways import RoadWays
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
-from missiontree.mission.schedule import TravelLeg
+from missiontree.mission.schedule import Leg
 
 
 class Map(Protocol):
@@ -49,14 +49,14 @@ class Ways:
         """Seconds of the quickest way at a speed, rides in lifts included; infinite if there is none."""
         return self._least(robot_type, origin, destination, speed_mps)
 
-    def via_problem(self, robot_type: RobotType, leg: TravelLeg) -> str:
+    def via_problem(self, robot_type: RobotType, leg: Leg) -> str:
         """What is wrong with the road nodes that a leg names, or leaves out; empty if nothing is."""
         roads = self._map(robot_type)
         if isinstance(roads, RoadWays):
             return roads.problem(leg)
         return "names road nodes where there is no road graph" if leg.via else ""
 
-    def named_s(self, robot_type: RobotType, leg: TravelLeg, speed_mps: float) -> float:
+    def named_s(self, robot_type: RobotType, leg: Leg, speed_mps: float) -> float:
         """Seconds that the road nodes of a leg take at a speed, rides in lifts included; 0 where they are no way."""
         roads = self._map(robot_type)
         return roads.named_s(leg, speed_mps) if isinstance(roads, RoadWays) else 0.0

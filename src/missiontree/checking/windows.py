@@ -23,6 +23,11 @@ class Window(NamedTuple):
     due_to: str = ""
 
 
+def mission_deadline(case: Case) -> int | None:
+    """The last tick of the whole mission; None if it has none."""
+    return None if case.plan.brief.deadline_s is None else _last(case.plan.brief.deadline_s)
+
+
 def windows(case: Case, staffing: Staffing) -> dict[int, Window]:
     """The window of every selected action that has one; times of the mission tree bind even where grounding lost them."""
     found: dict[int, Window] = {}
@@ -35,7 +40,7 @@ def windows(case: Case, staffing: Staffing) -> dict[int, Window]:
             if release > window.release:
                 window = window._replace(release=release, released_by=whose)
             if deadline_s is not None:
-                last = math.floor(min(deadline_s, 1e12) * TICKS_PER_S + 1e-6)
+                last = _last(deadline_s)
                 if window.deadline is None or last < window.deadline:
                     window = window._replace(deadline=last, due_to=whose)
         if window != Window():
@@ -61,3 +66,7 @@ def _above(case: Case, staffing: Staffing, leaf: int) -> list[Times]:
             for name in sources
         ]
     return times
+
+
+def _last(deadline_s: float) -> int:
+    return math.floor(min(deadline_s, 1e12) * TICKS_PER_S + 1e-6)

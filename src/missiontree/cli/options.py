@@ -109,6 +109,14 @@ PartWeights = Annotated[
         ),
     ),
 ]
+ReturnHomeFlag = Annotated[
+    bool | None,
+    typer.Option(
+        "--return-home/--stay-out",
+        help="Each robot that takes part goes back to where it started, after its last action. Default: as the mission file says, "
+        "else no.",
+    ),
+]
 Alternatives = Annotated[
     int | None, typer.Option("-k", "--alternatives", metavar="K", help="How many alternatives. Default 4.")
 ]

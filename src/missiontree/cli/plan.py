@@ -45,6 +45,7 @@ def command(
         ),
     ] = False,
     part: options.PartWeights = None,
+    return_home: options.ReturnHomeFlag = None,
     k: options.Alternatives = None,
     allocator: Annotated[
         str | None,
@@ -107,6 +108,7 @@ def command(
         estimator=estimator,
         accumulate=accumulate,
         diverse=diverse,
+        return_home=return_home,
         k=k,
         allocator=allocator,
         scheduler=scheduler,

@@ -31,6 +31,7 @@ def inputs_of(brief: MissionBrief, tree: MissionTree | None) -> dict[str, Any]:
         "accumulate": None if brief.accumulate == "sum" else brief.accumulate,
         "diverse": brief.diverse or None,
         "parts": brief.parts or None,
+        "return_home": brief.return_home or None,
         "tree": tree,
     }
     return {name: value for name, value in inputs.items() if value is not None}

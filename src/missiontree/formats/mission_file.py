@@ -62,7 +62,7 @@ class MissionFile(Value):
         (``{Search: 0.8, carry: 0.5}``), of which the highest that applies counts. At least 0, default 0. Who would do worse is not
         offered.
     deadline_s
-        The whole mission has ended by then; seconds from its start, at least 0. None (default) means no deadline.
+        The whole mission has ended by then, ways home included; seconds from its start, at least 0. None (default) means no deadline.
     accumulate
         How the utilities of actions make that of an alternative: their ``sum`` (default), which favours alternatives with more actions,
         their ``mean``, or the least of them (``min``). Of an alternative without actions each of them is 0.
@@ -75,6 +75,8 @@ class MissionFile(Value):
     parts
         How much parts of the mission count where not all of it can be done: a weight above 0 by the name of a part, which is the id, the
         label or the call of a node of the mission tree: ``{"Search(cat)": 3}``. Default: every routine counts 1.
+    return_home
+        Whether each robot that takes part goes back to where it started, after its last action. Default false.
     """
 
     mission: str = ""
@@ -101,6 +103,7 @@ class MissionFile(Value):
     diverse: bool = False
     costs: Mapping[Id, Price | NonNegative] = field(default_factory=dict)
     parts: Mapping[str, Positive] = field(default_factory=dict)
+    return_home: bool = False
 
     def _check(self) -> None:
         if not self.mission.strip() and not self.goals and self.tree is None:

@@ -9,15 +9,12 @@ DEADLINES = "deadlines and release times of entities and of single actions"
 WINDOWS = "time windows"
 RECHARGING = "recharging and chargers"
 SHARED = "capacities of roads, lifts, zones and entities"
-RETURN = "robots that must return"
 COMMANDS = "commands to real robots and what they report back"
 GATES = "optional tasks, rewards and gates other than 'and' and 'xor'"
 
 _WINDOWS = {"windows": WINDOWS, "window": WINDOWS}
 _TIMES = {"deadline_s": DEADLINES, "release_s": DEADLINES, **_WINDOWS}
 _ROBOTS = {
-    "return_home": RETURN,
-    "home": RETURN,
     "recharge": RECHARGING,
     "recharge_per_s": RECHARGING,
     "charger": RECHARGING,

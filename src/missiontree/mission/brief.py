@@ -53,7 +53,7 @@ class MissionBrief(Value):
     estimator
         Whose the estimates are, if not the fleet's: an estimator of the user's own. Default: the fleet's table.
     deadline_s
-        The whole mission has ended by then; seconds from its start, at least 0. None (default) means no deadline.
+        The whole mission has ended by then, ways home included; seconds from its start, at least 0. None (default) means no deadline.
     accumulate
         How the utilities of actions make that of an alternative: their ``sum`` (default), which favours alternatives with more actions,
         their ``mean``, or the least of them (``min``). Of an alternative without actions each of them is 0.
@@ -63,6 +63,8 @@ class MissionBrief(Value):
     parts
         How much parts of the mission count where not all of it can be done: a weight above 0 by the name of a part, which is the id, the
         label or the call of a node of the mission tree, such as ``Search(cat)``. Default: see :class:`missiontree.mission.partial.Partial`.
+    return_home
+        Whether each robot that takes part goes back to where it started, after its last action. Default false.
 
     Raises
     ------
@@ -86,6 +88,7 @@ class MissionBrief(Value):
     accumulate: Accumulate = "sum"
     diverse: bool = False
     parts: Mapping[str, Positive] = field(default_factory=dict)
+    return_home: bool = False
 
     def _check(self) -> None:
         world = self.world
@@ -147,6 +150,8 @@ class MissionBrief(Value):
             min_quality=self.min_quality,
             stock=self.world.stock,
             by_estimator=self.estimator is not None,
+            return_home=self.return_home,
+            home_by_s=self.deadline_s if self.return_home else None,
         )
 
     @property

@@ -25,7 +25,7 @@ Bond = Literal[
     "available",
     "unexplained",
 ]
-StepKind = Literal["action", "travel", "until", "under_way", "wait"]
+StepKind = Literal["action", "travel", "until", "under_way", "wait", "home"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,9 +38,10 @@ class Step(Value):
     kind
         ``action``: a whole action. ``travel``: the way to one. ``until``: an open-ended action ends because the step before does;
         takes no time. ``under_way``: the millisecond that an open-ended action must be under way before the step before may
-        end. ``wait``: it is waited for a release time or for a robot that comes late, or nothing in the schedule says why.
+        end. ``home``: the way home after an action. ``wait``: it is waited for a release time or for a robot that comes late, or
+        nothing in the schedule says why.
     leaf
-        The action, or the one travelled to or waited for.
+        The action, or the one travelled to or waited for, or after which the robot goes home.
     robot
         Who does it.
     start_s, end_s
@@ -70,7 +71,7 @@ class CriticalChain(Value):
     rank
         Rank of the alternative.
     makespan_s
-        End of the last action.
+        End of the last action, or of the last way home.
     work_s
         Seconds of the chain in which something is done on the spot.
     travel_s

@@ -71,6 +71,42 @@ class TravelLeg(Value):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class OwnLeg(Value):
+    """
+    A robot on its way for its own sake, not for an action: home, after its last action.
+
+    Parameters
+    ----------
+    robot
+        Robot that travels.
+    start_s, end_s
+        From when to when.
+    origin, destination
+        From where to where, in frame ``map``.
+    distance_m
+        Length of the way.
+    via
+        Road nodes passed, in order; empty off the road graph.
+    """
+
+    robot: Id
+    start_s: NonNegative
+    end_s: NonNegative
+    origin: Position
+    destination: Position
+    distance_m: NonNegative
+    via: tuple[Id, ...] = ()
+
+    def _check(self) -> None:
+        if self.end_s < self.start_s:
+            raise ValueError(f"the way of {self.robot} ends at {self.end_s} s, before it starts at {self.start_s} s.")
+
+
+Leg = TravelLeg | OwnLeg
+"""A way that a robot travels, whatever for."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Schedule(Value):
     """
     The schedule of one alternative.
@@ -90,8 +126,10 @@ class Schedule(Value):
         Every selected action, by start, then by leaf.
     legs
         Travel, by start, then by leaf, then by robot.
+    returns
+        Where robots return: the ways home, by start, then by robot. A robot that ends where it started has none.
     makespan_s
-        End of the last action.
+        End of the last action; where robots return, when the last of them is home, if that is later.
     assumptions
         What was unknown and taken for granted, such as where a robot starts.
     reasons
@@ -104,6 +142,12 @@ class Schedule(Value):
     assignments: tuple[Assignment, ...] = ()
     actions: tuple[ScheduledAction, ...] = ()
     legs: tuple[TravelLeg, ...] = ()
+    returns: tuple[OwnLeg, ...] = ()
     makespan_s: NonNegative = 0.0
     assumptions: tuple[Reason, ...] = ()
     reasons: tuple[Reason, ...] = ()
+
+    @property
+    def ways(self) -> tuple[Leg, ...]:
+        """Every way that is travelled, whatever for."""
+        return (*self.legs, *self.returns)

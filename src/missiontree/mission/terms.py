@@ -30,6 +30,10 @@ class Terms:
         What the scene holds for the whole mission.
     by_estimator
         Whether qualities are said by an estimator of the user's own, so that the fleet's do not tell who is good enough.
+    return_home
+        Whether each robot that takes part goes back to where it started, after its last action.
+    home_by_s
+        By when all of them must be back, in seconds; None (default) means no such deadline.
     """
 
     without: tuple[str, ...] = ()
@@ -37,6 +41,8 @@ class Terms:
     min_quality: MinQuality = 0.0
     stock: Mapping[str, float] = field(default_factory=dict)
     by_estimator: bool = False
+    return_home: bool = False
+    home_by_s: float | None = None
 
     def team_of(self, fleet: Fleet) -> Fleet:
         """

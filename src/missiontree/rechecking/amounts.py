@@ -19,7 +19,7 @@ def scheduled_amounts(facts: Facts) -> Iterator[Reason]:
     used: Used = {}
     for leaf, action in facts.leaves.items():
         _add(used, facts.robot_of_role.get(facts.leaves[leaf].role, ""), action.uses)
-    for leg in facts.schedule.legs:
+    for leg in facts.schedule.ways:
         kind = facts.brief.fleet.type_of.get(leg.robot)
         per_m = kind.uses_per_m if kind is not None else {}
         _add(used, leg.robot, {name: amount * leg.distance_m for name, amount in per_m.items()})

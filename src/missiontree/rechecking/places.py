@@ -22,6 +22,17 @@ def start_of(facts: Facts, robot: str) -> Position | None:
     return _first_of(facts, one.place)
 
 
+def left_at(facts: Facts, robot: str) -> tuple[Position | None, int]:
+    """Where a robot is after all that it does, None if unknown, and from when."""
+    here, free_ms = start_of(facts, robot), 0
+    for leaf in [leaf for role in facts.roles_of_robot[robot] for leaf in facts.leaves_of_role[role]]:
+        action = facts.leaves[leaf]
+        if action.at is not None or action.moves:
+            here = place_at(facts, action.at, facts.start_ms[leaf])
+        free_ms = max(free_ms, facts.end_ms[leaf])
+    return here, free_ms
+
+
 def place_at(facts: Facts, entity: str | None, when_ms: int) -> Position | None:
     """Where an entity is at a time: where the last move that brought it went, else where the scene has it. None if unknown."""
     return _place_at(facts, entity, when_ms, frozenset())

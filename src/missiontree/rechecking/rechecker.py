@@ -9,6 +9,7 @@ from missiontree.rechecking import (
     abilities,
     amounts,
     claims,
+    home,
     parts,
     selection,
     sharing,
@@ -39,6 +40,7 @@ TIMED = (
     *windows.WINDOW_RULES,
     *travel.TRAVEL_RULES,
     sharing.shared_resources,
+    *home.HOME_RULES,
     amounts.scheduled_amounts,
     claims.bound_of_the_schedule,
 )
@@ -54,6 +56,7 @@ CORE_RULES = {
     "core_duration": "an action lasts as long as it takes",
     "core_grid": "times are whole milliseconds",
     "core_holding": "a robot takes one role at a time",
+    "core_home": "where robots return, who did something goes home after it, in time and no faster than it is",
     "core_joint": "joint actions start and end together",
     "core_makespan": "the makespan is the latest end",
     "core_max_in_use": "no more robots of a type take part than may",
@@ -109,7 +112,7 @@ def recheck(plan: Plan) -> list[Reason]:
     for alternative in alternatives:
         schedule = next((one for one in plan.schedules if one.rank == alternative.rank), None)
         if schedule is not None and schedule.status in {"infeasible", "unknown"}:
-            if schedule.actions or schedule.legs or schedule.assignments:
+            if schedule.actions or schedule.legs or schedule.returns or schedule.assignments:
                 found.append(broken("core_schedules", f"the schedule of rank {alternative.rank} says there is none."))
             schedule = None
         facts = Facts(plan.brief, plan.tree, plan.grounding.tree, alternative, schedule, ways)

@@ -14,7 +14,7 @@ from itertools import pairwise
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
-from missiontree.mission.schedule import TravelLeg
+from missiontree.mission.schedule import Leg
 
 EQUALLY_M = 1e-3
 Step = tuple[str, float, float]
@@ -52,7 +52,7 @@ class Ways:
             straight = max(0.0, straight - math.sqrt(2) * self.world.grid.cell_m)
         return straight * pace
 
-    def named(self, kind: RobotType, leg: TravelLeg, speed_mps: float | None = None) -> float:
+    def named(self, kind: RobotType, leg: Leg, speed_mps: float | None = None) -> float:
         """The same of the way that a leg names by its road nodes; infinite if it names none, or passes where no road or lift leads."""
         if self.world.roads is None or leg.origin == leg.destination:
             return self.least(kind, leg.origin, leg.destination, speed_mps)

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from missiontree.mission.reason import Reason
-from missiontree.mission.schedule import ScheduledAction, TravelLeg
+from missiontree.mission.schedule import Leg, ScheduledAction
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
 
 GRAIN = 1e-3  # of a millisecond; what a number of seconds loses in binary is far less
@@ -30,12 +30,11 @@ def on_the_grid(facts: Facts) -> Iterator[Reason]:
     """Times are whole milliseconds."""
     if facts.schedule is None:
         return
-    timed: list[ScheduledAction | TravelLeg] = [*facts.schedule.actions, *facts.schedule.legs]
+    timed: list[ScheduledAction | Leg] = [*facts.schedule.actions, *facts.schedule.ways]
     for one in timed:
         for time_s in (one.start_s, one.end_s):
             if abs(time_s * 1000 - round(time_s * 1000)) > GRAIN:
-                message = f"{time_s} s is no whole number of milliseconds."
-                yield broken("core_grid", message, node=one.leaf, robot=one.robot)
+                yield broken("core_grid", f"{time_s} s is no whole number of milliseconds.", robot=one.robot)
 
 
 def durations(facts: Facts) -> Iterator[Reason]:
@@ -127,12 +126,13 @@ def joint_work(facts: Facts) -> Iterator[Reason]:
 
 
 def makespan(facts: Facts) -> Iterator[Reason]:
-    """The makespan is the latest end."""
+    """The makespan is the latest end: of an action, or of a way home."""
     if facts.schedule is None:
         return
-    latest = max(facts.end_ms.values(), default=0)
+    home = [milliseconds(leg.end_s) for leg in facts.schedule.returns]
+    latest = max([*facts.end_ms.values(), *home], default=0)
     if milliseconds(facts.schedule.makespan_s) != latest:
-        message = f"the makespan is {facts.schedule.makespan_s} s, and the last action ends at {latest / 1000} s."
+        message = f"the makespan is {facts.schedule.makespan_s} s, and what is last ends at {latest / 1000} s."
         yield broken("core_makespan", message)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from missiontree.mission.reason import Reason
-from missiontree.mission.schedule import ScheduledAction, TravelLeg
+from missiontree.mission.schedule import Leg, ScheduledAction
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
 
 
@@ -36,7 +36,7 @@ def robots_are_there(facts: Facts) -> Iterator[Reason]:
     """No robot travels or acts before it takes part, or after that; its own times go before those of its type."""
     if facts.schedule is None:
         return
-    busy: list[ScheduledAction | TravelLeg] = [*facts.schedule.actions, *facts.schedule.legs]
+    busy: list[ScheduledAction | Leg] = [*facts.schedule.actions, *facts.schedule.ways]
     for one in busy:
         kind, robot = facts.brief.fleet.type_of.get(one.robot), facts.brief.fleet.robots.get(one.robot)
         if kind is None or robot is None:
@@ -47,7 +47,7 @@ def robots_are_there(facts: Facts) -> Iterator[Reason]:
         late = leaves_s is not None and milliseconds(one.end_s) > milliseconds(leaves_s) + TICK_MS
         if early or late:
             message = f"{one.robot} is busy from {one.start_s} s to {one.end_s} s, and not there all the time."
-            yield broken("core_available", message, node=one.leaf, robot=one.robot)
+            yield broken("core_available", message, robot=one.robot)
 
 
 WINDOW_RULES = (releases, deadlines, robots_are_there)

@@ -30,11 +30,15 @@ class _Lack:
     needed: float
 
 
-def approaches_too_dear(graph: TaskGraph, places: Places, trips: Trips) -> list[Reason]:
-    """Roles whose first place is so far from every robot of the type that what it has does not last for the way and the role."""
+def approaches_too_dear(graph: TaskGraph, places: Places, trips: Trips, returning: bool = False) -> list[Reason]:
+    """
+    Roles whose first place is so far from every robot of the type that what it has does not last for the way and the role.
+
+    Where robots return, so does the way home count, from the role's last place.
+    """
     if trips.scene.roads is not None and trips.scene.roads.lifts:
         return []
-    lost = _may_get_lost(graph, places)
+    lost = may_get_lost(graph, places)
     stands: dict[str, Stands] = {}
     asked: dict[object, _Lack | None] = {}  # roles that are alike are asked once
     reasons: list[Reason] = []
@@ -46,19 +50,22 @@ def approaches_too_dear(graph: TaskGraph, places: Places, trips: Trips) -> list[
         if kind.id not in stands:
             stands[kind.id] = _stands(kind, trips)
         need = _need(graph, leaves)
-        key = kind.id, places.of[first], tuple(sorted(need.items()))
+        last = next(leaf for leaf in reversed(leaves) if graph.tree.action(leaf).at is not None)
+        ends = places.of[last] if returning else _NOWHERE
+        key = kind.id, places.of[first], ends, tuple(sorted(need.items()))
         if key not in asked:
-            asked[key] = _lack(kind, stands[kind.id], need, places.of[first], trips)
+            asked[key] = _lack(kind, stands[kind.id], need, (places.of[first], ends), trips)
         lack = asked[key]
         if lack is not None:
-            reasons.append(_reason(kind, graph, first, lack))
+            reasons.append(_reason(kind, graph, first, lack, returning))
     return reasons
 
 
+_NOWHERE: Spots = frozenset({None})
 Stands = Collection[tuple[Spot, Mapping[str, float]]]
 
 
-def _may_get_lost(graph: TaskGraph, places: Places) -> set[str]:
+def may_get_lost(graph: TaskGraph, places: Places) -> set[str]:
     """Types with an action whose place may be unknown; their robots may be anywhere afterwards."""
     actions = ((leaf, graph.tree.action(leaf)) for leaves in graph.roles.values() for leaf in leaves)
     return {
@@ -87,11 +94,13 @@ def _need(graph: TaskGraph, leaves: tuple[int, ...]) -> dict[str, float]:
     return need
 
 
-def _lack(kind: RobotType, stands: Stands, need: Mapping[str, float], goals: Spots, trips: Trips) -> _Lack | None:
-    """What the robot that comes nearest to having enough lacks; None if some robot has enough."""
+def _lack(
+    kind: RobotType, stands: Stands, need: Mapping[str, float], ends: tuple[Spots, Spots], trips: Trips
+) -> _Lack | None:
+    """What the robot that comes nearest to having enough lacks; None if some robot has enough. ``ends``: first and last places."""
     nearest: _Lack | None = None
     for start, budgets in stands:
-        metres = _metres(kind, start, goals, trips)
+        metres = _metres(kind, (start,), ends[0], trips) + _metres(kind, ends[1], (start,), trips)
         lack = next(_lacking(kind, budgets, need, metres), None)
         if lack is None:
             return None
@@ -110,19 +119,22 @@ def _lacking(
             yield _Lack(name, there, needed)
 
 
-def _metres(kind: RobotType, start: Spot, goals: Spots, trips: Trips) -> float:
-    """The fewest metres from a start to where the action may be; 0 where that is unknown."""
-    if start is None or None in goals:
+def _metres(kind: RobotType, origins: Collection[Spot], goals: Collection[Spot], trips: Trips) -> float:
+    """The fewest metres from one of some spots to one of others; 0 where one of them is unknown."""
+    if None in origins or None in goals:
         return 0.0
-    ways = (trips.approach(kind.id, start, goal) for goal in goals if goal is not None)
+    ways = (trips.approach(kind.id, origin, goal) for origin in origins for goal in goals)
     return min((way.metres for way in ways if not isinstance(way, Blocked)), default=0.0)
 
 
-def _reason(kind: RobotType, graph: TaskGraph, first: int, lack: _Lack) -> Reason:
-    action = graph.tree.action(first)
+def _reason(kind: RobotType, graph: TaskGraph, first: int, lack: _Lack, returning: bool) -> Reason:
+    action, back = (
+        graph.tree.action(first),
+        ", do its part there and come home" if returning else " and do its part there",
+    )
     return Reason(
         rule="budget_exceeded",
-        message=f"No robot of type {kind.label!r} can get to {action.at} and do its part there: that takes at least "
+        message=f"No robot of type {kind.label!r} can get to {action.at}{back}: that takes at least "
         f"{lack.needed:g} of {lack.name}, and the nearest to it has {lack.there:g}.",
         node=action.text,
         robot=kind.id,

@@ -7,7 +7,7 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.ticks import seconds, ticks_within
 from missiontree.scheduling.bounds import Bounds
 from missiontree.scheduling.precedence import TaskGraph
-from missiontree.scheduling.problem import Draft, Problem
+from missiontree.scheduling.problem import Done, Draft, Homeward, Problem
 
 RULE = "robot_away"
 
@@ -40,13 +40,13 @@ def gone_before(graph: TaskGraph, bounds: Bounds, fleet: Fleet) -> list[Reason]:
             latest[kind.id] = ticks_within(max(known))
     late: dict[str, tuple[int, int]] = {}
     for leaf, activity in graph.activity_of.items():
-        kind_id, end = graph.tree.action(leaf).robot_type, bounds.heads[2 * activity + 1]
+        kind_id, end = graph.tree.action(leaf).robot_type, bounds.heads[2 * activity + 1] + bounds.homes.get(leaf, 0)
         if kind_id in latest and end > latest[kind_id]:
             late[kind_id] = max(late.get(kind_id, (0, 0)), (end, leaf))
     return [
         Reason(
             rule=RULE,
-            message=f"{graph.name(leaf)!r} cannot end before {_shown(end)}, and the last robot of type {kind_id} leaves at "
+            message=f"{_what(graph, bounds, leaf)} before {_shown(end)}, and the last robot of type {kind_id} leaves at "
             f"{_shown(latest[kind_id])}.",
             node=graph.name(leaf),
             robot=kind_id,
@@ -62,7 +62,8 @@ def away(problem: Problem, draft: Draft) -> tuple[Reason, ...]:
     """Robots that a draft keeps longer than they stay, each with its last action."""
     if not problem.leaving:
         return ()
-    last = {one.robot: one for one in sorted(draft.done, key=lambda one: one.end)}
+    spans: list[Done | Homeward] = [*draft.done, *draft.returns]
+    last = {one.robot: one for one in sorted(spans, key=lambda one: one.end)}
     reasons = []
     for robot, one in sorted(last.items()):
         kind = problem.fleet.type_of[robot]
@@ -72,7 +73,7 @@ def away(problem: Problem, draft: Draft) -> tuple[Reason, ...]:
                 Reason(
                     rule=RULE,
                     message=f"{robot} leaves at {until_s:g} s; a try kept it until {_shown(one.end)}.",
-                    node=problem.graph.name(one.leaf),
+                    node=problem.graph.name(one.leaf) if isinstance(one, Done) else "its way home",
                     robot=robot,
                     found=f"until {until_s:g} s",
                     needed=f"until {_shown(one.end)}",
@@ -80,6 +81,11 @@ def away(problem: Problem, draft: Draft) -> tuple[Reason, ...]:
                 )
             )
     return tuple(reasons)
+
+
+def _what(graph: TaskGraph, bounds: Bounds, leaf: int) -> str:
+    home = f"After {graph.name(leaf)!r} nobody can be home" if bounds.homes.get(leaf) else ""
+    return home or f"{graph.name(leaf)!r} cannot end"
 
 
 def _shown(count: int) -> str:

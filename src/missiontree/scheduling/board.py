@@ -5,7 +5,7 @@ from __future__ import annotations
 from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.precedence import indegrees
-from missiontree.scheduling.problem import Done, Draft, Problem, Rule
+from missiontree.scheduling.problem import Done, Draft, Homeward, Problem, Rule
 from missiontree.scheduling.room import Hold, room_for
 from missiontree.scheduling.world_state import RobotState, WorldState
 
@@ -41,6 +41,7 @@ class Board:
         self.placed: dict[int, list[tuple[int, RobotState]]] = {}  # by activity: its leaves and who does them
         self.done: dict[int, Done] = {}
         self.held: dict[str, dict[int, Hold]] = {name: {} for name in problem.sharing.capacity}
+        self.returns: list[Homeward] = []
         self.metres = 0.0
 
     def actions(self, activity: int) -> list[tuple[int, Action]]:
@@ -93,4 +94,5 @@ class Board:
             for role, group in sorted(self.staffing.group_of.items())
             if group in self.robot_of_group
         }
-        return Draft(done, robot_of, max((one.end for one in done), default=0), self.metres, reasons)
+        makespan = max([*(one.end for one in done), *(one.end for one in self.returns)], default=0)
+        return Draft(done, robot_of, makespan, self.metres, reasons, self.returns)

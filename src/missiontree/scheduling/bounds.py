@@ -54,6 +54,8 @@ class Bounds:
     latest
         For each event, the last tick at which it may be if all deadlines are to be kept; ``NEVER`` where none depends on it. Empty if there
         is no deadline.
+    homes
+        Where robots return: least ticks home from the last place of a role, by its last leaf; leaves with 0 are left out.
     due
         For each event, how urgent it is: ``latest``, or the last tick at which everything can still end by ``makespan``, or by the last
         deadline of all if that is later.
@@ -68,6 +70,7 @@ class Bounds:
     entries: Mapping[int, int] = field(default_factory=dict)
     latest: list[int] = field(default_factory=list)
     due: list[int] = field(default_factory=list)
+    homes: Mapping[int, int] = field(default_factory=dict)
 
 
 def lower_bounds(
@@ -78,6 +81,7 @@ def lower_bounds(
     fleet: Fleet,
     trips: Trips,
     sharing: Sharing = NOTHING_SHARED,
+    returning: bool = False,
 ) -> Bounds:
     """
     Bounds of one alternative.
@@ -94,13 +98,16 @@ def lower_bounds(
         Robots and ways.
     sharing
         Shared resources and who holds them. Default: none.
+    returning
+        Whether the mission lasts until every robot that takes part is home. Default false.
     """
     travel = _Travel(graph, staffing, places, fleet, trips)
     duration = [_least_duration(graph, activity, travel) for activity in range(len(graph.activities))]
     lag = {leaf: travel.before(leaf) for leaf in travel.previous if not graph.tree.action(leaf).moves}
     release = _releases(graph, travel, duration, fleet)
-    heads, tails = _longest_paths(graph, order, duration, lag, release)
-    path = max(heads, default=0)
+    homes = travel.homes(staffing) if returning else {}
+    heads, tails = _longest_paths(graph, order, duration, lag, release, homes)
+    path = max((head + tail for head, tail in zip(heads, tails, strict=True)), default=0)
     entries = least_entries(graph, staffing, places, trips)
     plain = pieces_of(graph, staffing, duration, lag, heads, tails)
     entered = pieces_of(graph, staffing, duration, lag, heads, tails, entries) if entries else []
@@ -111,7 +118,7 @@ def lower_bounds(
     latest = _latest(graph, order, duration, lag) if graph.deadline else []
     end = max(makespan, *graph.deadline.values()) if graph.deadline else makespan
     due = [min(end - tail, last) for tail, last in zip(tails, latest or [NEVER] * len(tails), strict=True)]
-    return Bounds(makespan, method, duration, lag, heads, tails, entries, latest, due)
+    return Bounds(makespan, method, duration, lag, heads, tails, entries, latest, due, homes)
 
 
 class _Travel:
@@ -171,8 +178,27 @@ class _Travel:
         trips = (self._trips.trip(action, origin, destination) for origin in here for destination in there)
         return min((trip.ticks for trip in trips if not isinstance(trip, Blocked)), default=0)
 
-    def _least_arrivals(self, kind: str) -> dict[Spot, int]:
-        """Least time to each spot of the type over any chain of legs (Dijkstra); empty if a spot on the way may be unknown."""
+    def homes(self, staffing: Staffing) -> dict[int, int]:
+        """Least ticks home after each role, by its last leaf."""
+        found: dict[int, int] = {}
+        back = {kind: self._least_arrivals(kind, home=True) for kind in self._visited}
+        for role, leaves in self._graph.roles.items():
+            actions = ((leaf, self._graph.tree.action(leaf)) for leaf in reversed(leaves))
+            last = next((leaf for leaf, action in actions if action.at is not None or action.moves), None)
+            if last is None:
+                continue
+            ways = back[staffing.type_of[role]]
+            least = min((ways.get(spot, 0) for spot in self._places.of[last]), default=0)
+            if least:
+                found[leaves[-1]] = least
+        return found
+
+    def _least_arrivals(self, kind: str, home: bool = False) -> dict[Spot, int]:
+        """
+        Least time to each spot of the type over any chain of legs (Dijkstra); empty if a spot on the way may be unknown.
+
+        With ``home``, from each spot to the nearest start, the legs backwards.
+        """
         starts, spots = self._starts[kind], self._visited[kind]
         if None in starts or None in spots or len(starts | spots) > _MANY:
             return {}
@@ -186,7 +212,7 @@ class _Travel:
             for after in sorted(spots, key=repr):
                 assert isinstance(spot, Position)
                 assert isinstance(after, Position)
-                trip = self._trips.approach(kind, spot, after)
+                trip = self._trips.approach(kind, after, spot) if home else self._trips.approach(kind, spot, after)
                 if isinstance(trip, Blocked) or time + trip.ticks >= best.get(after, time + trip.ticks + 1):
                     continue
                 best[after] = time + trip.ticks
@@ -240,10 +266,17 @@ def _stood_still(graph: TaskGraph, duration: Sequence[int]) -> dict[int, int]:
 
 
 def _longest_paths(
-    graph: TaskGraph, order: Sequence[int], duration: Sequence[int], lag: dict[int, int], release: dict[int, int]
+    graph: TaskGraph,
+    order: Sequence[int],
+    duration: Sequence[int],
+    lag: dict[int, int],
+    release: dict[int, int],
+    homes: Mapping[int, int],
 ) -> tuple[list[int], list[int]]:
     heads = [release.get(event, 0) for event in range(len(graph.successors))]
     tails = [0] * len(heads)
+    for leaf, home in homes.items():
+        tails[graph.end(leaf)] = max(tails[graph.end(leaf)], home)
     weight = weights(graph, duration, lag)
     for event in order:
         for after in graph.successors[event]:

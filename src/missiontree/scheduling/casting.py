@@ -77,10 +77,12 @@ class Casting:
             if robot.stand not in known:
                 known[robot.stand] = demands.ask(role, robot.spot)
             demand = known[robot.stand]
+            if demand is not None and board.problem.returning:
+                demand = demands.home(demand, robot)
             if demand is None or (bound is None and demand.needs and not lasts(demand, robot, pooled, TOLERANCE)):
                 continue
             begin = max(ready, robot.free_at) + demand.way if moves else max(ready, robot.free_at + demand.way)
-            if robot.until is not None and begin + board.problem.holds[role] > robot.until:
+            if robot.until is not None and begin + board.problem.holds[role] + demand.after > robot.until:
                 continue
             ranked.append((begin, -robot.free_at, demand.metres, robot.index, robot))
         return ranked

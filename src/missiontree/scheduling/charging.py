@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.board import Board
@@ -20,8 +22,20 @@ def charge(board: Board, robot: RobotState, action: Action, trip: Trip | None) -
     StuckError
         If a budget does not last.
     """
+    spend(board, robot, action.uses, trip, action.text)
+
+
+def spend(board: Board, robot: RobotState, uses: Mapping[str, float], trip: Trip | None, what: str) -> None:
+    """
+    Take off what is used for something, and on the way to it.
+
+    Raises
+    ------
+    StuckError
+        If a budget does not last; it names ``what``.
+    """
     kind = board.problem.fleet.by_id[robot.type_id]
-    use = dict(action.uses)
+    use = dict(uses)
     if trip is not None:
         board.metres += trip.metres
         for name, amount in kind.uses_per_m.items():
@@ -34,8 +48,8 @@ def charge(board: Board, robot: RobotState, action: Action, trip: Trip | None) -
                     raise StuckError(
                         Reason(
                             rule="budget_exceeded",
-                            message=f"{whose} runs out of {name} at {action.text!r}, {-left[name]:g} short.",
-                            node=action.text,
+                            message=f"{whose} runs out of {name} at {what!r}, {-left[name]:g} short.",
+                            node=what,
                             robot="" if left is board.shared else whose,
                         )
                     )

@@ -70,7 +70,11 @@ def deadlines_missed(problem: Problem, draft: Draft) -> Late | None:
         if by > 0 and by > worst.get(graph.due_to[activity], (0, 0))[0]:
             worst[graph.due_to[activity]] = by, done.leaf
     reasons = tuple(_late_in_draft(graph, node, by, leaf) for node, (by, leaf) in sorted(worst.items()))
-    return Late(sum(by for by, _ in worst.values()), reasons) if worst else None
+    late_home = 0 if problem.home_by is None else max(0, draft.makespan - problem.home_by)
+    if late_home and 0 not in worst:
+        reasons += (_home_late(problem.home_by or 0, late_home),)
+    late = sum(by for by, _ in worst.values()) + late_home
+    return Late(late, reasons) if late else None
 
 
 def _late_by_path(graph: TaskGraph, bounds: Bounds, activity: int) -> Reason:
@@ -177,6 +181,16 @@ def _late_in_draft(graph: TaskGraph, node: int, by: int, leaf: int) -> Reason:
         found=_shown(deadline + by),
         needed=f"by {_shown(deadline)}",
         hint="Nothing proves that no schedule keeps it; more robots or a later deadline would help.",
+    )
+
+
+def _home_late(home_by: int, by: int) -> Reason:
+    return Reason(
+        rule=RULE,
+        message=f"All robots must be home by {_shown(home_by)}; in the best try the last was at {_shown(home_by + by)}.",
+        found=_shown(home_by + by),
+        needed=f"by {_shown(home_by)}",
+        hint="Nothing proves that no schedule keeps it; more robots, a later deadline, or robots that stay out would help.",
     )
 
 

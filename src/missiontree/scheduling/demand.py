@@ -25,11 +25,17 @@ class Demand:
         Metres of it.
     needs
         What the role uses of each budget.
+    ends
+        Where the role leaves the robot, if everything that it does not move itself stays where it is.
+    after
+        Ticks of the way home after it, if that is part of it.
     """
 
     way: int
     metres: float
     needs: Mapping[str, float] = field(default_factory=dict)
+    ends: Spot = None
+    after: int = 0
 
 
 class Demands:
@@ -55,6 +61,7 @@ class Demands:
             }
             for kind in fleet.types
         }
+        self._asks_walk = {kind.id: bool(kind.uses_per_m) or board.problem.returning for kind in fleet.types}
         self._found: dict[int, dict[int, Demand | None]] = {}
         self._moves = 0
 
@@ -71,7 +78,19 @@ class Demands:
         if isinstance(trip, Blocked):
             return None
         way, metres = (0, 0.0) if trip is None else (trip.ticks, trip.metres)
-        return Demand(way, metres, self._needs(role, spot, metres))
+        whole_m, ends = self._walk(spot, role) if self._asks_walk[self._board.staffing.type_of[role]] else (0.0, spot)
+        return Demand(way, metres, self._needs(role, max(whole_m, metres)), ends)
+
+    def home(self, demand: Demand, robot: RobotState) -> Demand | None:
+        """A demand with the way home after it; None if there is none."""
+        trip = self._board.problem.trips.approach(robot.type_id, demand.ends, robot.home)
+        if isinstance(trip, Blocked):
+            return None
+        needs = dict(demand.needs)
+        for name, amount in self._per_m[robot.type_id].items():
+            if name in self._limited[robot.type_id]:
+                needs[name] = needs.get(name, 0.0) + amount * trip.metres
+        return Demand(demand.way, demand.metres, needs, robot.home, trip.ticks)
 
     def trip(self, spot: Spot, action: Action) -> Trip | Blocked | None:
         """The way to an action; None if it can be done anywhere."""
@@ -82,13 +101,12 @@ class Demands:
             return None
         return self._board.problem.trips.trip(action, spot, destination)
 
-    def _needs(self, role: int, spot: Spot, approach_m: float) -> dict[str, float]:
+    def _needs(self, role: int, metres: float) -> dict[str, float]:
         board, type_id = self._board, self._board.staffing.type_of[role]
         if not self._limited[type_id]:
             return {}
         needs = dict(board.problem.needs[board.staffing.group_of[role]])
         if self._per_m[type_id]:
-            metres = max(self._metres_of(spot, role), approach_m)
             uses = self._uses_of(role)
             for name, amount in self._per_m[type_id].items():
                 needs[name] = max(needs.get(name, 0.0), uses.get(name, 0.0) + amount * metres)
@@ -101,8 +119,8 @@ class Demands:
                 uses[name] = uses.get(name, 0.0) + amount
         return uses
 
-    def _metres_of(self, spot: Spot, role: int) -> float:
-        """Metres of a whole role if everything that it does not move itself stays where it is."""
+    def _walk(self, spot: Spot, role: int) -> tuple[float, Spot]:
+        """Metres of a whole role, and where it ends, if everything that it does not move itself stays where it is."""
         metres, here = 0.0, spot
         moved: dict[str, Spot] = {}
         for leaf in self._board.graph.roles[role]:
@@ -113,7 +131,7 @@ class Demands:
                 metres += 0.0 if isinstance(trip, Blocked) else trip.metres
                 here = there
             moved |= dict.fromkeys(action.brings, there)
-        return metres
+        return metres, here
 
 
 def lasts(demand: Demand, robot: RobotState, pooled: Sequence[Mapping[str, float]], slack: float) -> bool:

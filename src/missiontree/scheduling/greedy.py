@@ -17,7 +17,7 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import NO_TERMS, Terms
-from missiontree.mission.ticks import seconds
+from missiontree.mission.ticks import seconds, ticks_within
 from missiontree.scheduling.alike import alike_roles
 from missiontree.scheduling.approach_budget import approaches_too_dear
 from missiontree.scheduling.availability import away, gone_before, least_holds, some_leave
@@ -25,6 +25,7 @@ from missiontree.scheduling.bounds import lower_bounds
 from missiontree.scheduling.bundles import bundles_of, crews_of
 from missiontree.scheduling.deadlines import Late, deadlines_missed, deadlines_out_of_reach
 from missiontree.scheduling.holding import order_held_roles
+from missiontree.scheduling.homing import home_too_late, never_home
 from missiontree.scheduling.impossible import budgets_exceeded, cycle_reason, group_needs, unreachable_places
 from missiontree.scheduling.mission_terms import required_in_vain, shared_by_all, shared_exceeded, terms_broken
 from missiontree.scheduling.overlap import overlaps_of_one_robot
@@ -88,14 +89,17 @@ def read_problem(
         return "holding", [cycle_reason(graph, rule="deadlock", why=why)]
     trips = Trips(fleet, scene)
     places = Places(graph, order, trips)
-    if reasons := unreachable_places(graph, places, fleet, trips):
+    back = never_home(graph, places, trips) if terms.return_home else []
+    if reasons := [*unreachable_places(graph, places, fleet, trips), *back]:
         return "reachability", reasons
     needs, shared = group_needs(graph, staffing), shared_by_all(fleet, terms)
     too_much = [*budgets_exceeded(graph, staffing, fleet), *shared_exceeded(needs, shared)]
-    if reasons := [*too_much, *approaches_too_dear(graph, places, trips)]:
+    if reasons := [*too_much, *approaches_too_dear(graph, places, trips, terms.return_home)]:
         return "budget_bound", reasons
-    bounds = lower_bounds(graph, order, staffing, places, fleet, trips, sharing)
-    if reasons := [*deadlines_out_of_reach(graph, staffing, bounds, fleet), *gone_before(graph, bounds, fleet)]:
+    returning, home_by = terms.return_home, None if terms.home_by_s is None else ticks_within(terms.home_by_s)
+    bounds = lower_bounds(graph, order, staffing, places, fleet, trips, sharing, returning)
+    late = [*deadlines_out_of_reach(graph, staffing, bounds, fleet), *gone_before(graph, bounds, fleet)]
+    if reasons := late or home_too_late(bounds, home_by):
         return "deadline_bound", reasons
     alike = alike_roles(graph, staffing, needs)
     bundles, crews, required = bundles_of(graph), crews_of(graph), terms.required_robots(fleet)
@@ -116,6 +120,8 @@ def read_problem(
         holds,
         leaving,
         sharing,
+        returning,
+        home_by,
     )
 
 

@@ -44,6 +44,10 @@ class Problem:
         Whether some robot leaves before the end. Default false.
     sharing
         Shared resources that are scarce, and who holds them. Default none.
+    returning
+        Whether robots that take part go home in the end. Default false.
+    home_by
+        Tick by which all of them must be home; None (default) means no such deadline.
     """
 
     graph: TaskGraph
@@ -61,6 +65,8 @@ class Problem:
     holds: Mapping[int, int] = field(default_factory=dict)
     leaving: bool = False
     sharing: Sharing = NOTHING_SHARED
+    returning: bool = False
+    home_by: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,15 +106,26 @@ class Done:
     arrives_at: int = 0
 
 
+@dataclass(frozen=True, slots=True)
+class Homeward:
+    """A robot's way home, from when to when (ticks)."""
+
+    robot: str
+    trip: Trip
+    start: int
+    end: int
+
+
 @dataclass(slots=True)
 class Draft:
-    """What a run came to: all actions, or why it got stuck."""
+    """What a run came to: all actions and ways home, or why it got stuck."""
 
     done: list[Done]
     robot_of: dict[int, str]
     makespan: int
     metres: float
     reasons: tuple[Reason, ...] = ()
+    returns: list[Homeward] = field(default_factory=list)
 
     @property
     def value(self) -> tuple[int, float, int]:

@@ -17,6 +17,7 @@ from missiontree.scheduling.charging import charge
 from missiontree.scheduling.course import Course
 from missiontree.scheduling.deadlines import deadlines_missed
 from missiontree.scheduling.demand import Demands
+from missiontree.scheduling.homing import go_home
 from missiontree.scheduling.mission_terms import terms_broken
 from missiontree.scheduling.placing import length
 from missiontree.scheduling.precedence import indegrees
@@ -98,7 +99,10 @@ class _Replay:
                 missing[after] -= 1
                 if not missing[after]:
                     heapq.heappush(ready, after)
-        return board.draft(()) if seen == len(missing) and self._room_kept() else None
+        if seen < len(missing) or not self._room_kept():
+            return None
+        go_home(board)
+        return board.draft(())
 
     def _room_kept(self) -> bool:
         """Whether shared resources have room for all who hold them."""

@@ -19,6 +19,7 @@ from missiontree.scheduling.casting import Casting
 from missiontree.scheduling.charging import charge
 from missiontree.scheduling.deadlock import deadlock_reason
 from missiontree.scheduling.demand import Demands
+from missiontree.scheduling.homing import go_home
 from missiontree.scheduling.placing import Offer, Placing, length
 from missiontree.scheduling.pool import Pool
 from missiontree.scheduling.precedence import indegrees
@@ -72,6 +73,7 @@ class Run:
                 self._queues.advance(self._commit)
             if len(self._board.done) < len(self._graph.activity_of):
                 raise StuckError(deadlock_reason(self._board))
+            go_home(self._board)
         except StuckError as stuck:
             return self._board.draft((stuck.reason,))
         return self._board.draft(())

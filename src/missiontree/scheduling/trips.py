@@ -75,8 +75,8 @@ class Trips:
             found = self._trips[key] = self._find(*key)
         return found
 
-    def approach(self, robot_type: str, origin: Position, destination: Position) -> Trip | Blocked:
-        """A way with nothing brought."""
+    def approach(self, robot_type: str, origin: Spot, destination: Spot) -> Trip | Blocked:
+        """A way with nothing brought; no time and no metres where an end of it is not known."""
         key = (robot_type, origin, destination, (), None)
         found = self._trips.get(key)
         if found is None:

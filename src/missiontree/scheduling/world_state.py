@@ -36,6 +36,8 @@ class RobotState:
         What is left of each budget.
     until
         When it leaves, in ticks; None if it stays.
+    home, home_stand
+        Where it starts, None if unknown; and the number of that spot.
     """
 
     id: str
@@ -50,6 +52,8 @@ class RobotState:
     wears: set[object] = field(default_factory=set)
     left: dict[str, float] = field(default_factory=dict)
     until: int | None = None
+    home: Spot = None
+    home_stand: int = 0
 
 
 @dataclass(slots=True)
@@ -92,6 +96,8 @@ class WorldState:
                     free_at=ticks(since_s),
                     left=limits | dict(robot.remaining) if robot.remaining else dict(limits),
                     until=None if until_s is None else ticks_within(until_s),
+                    home=start,
+                    home_stand=self.number(start),
                 )
 
     def number(self, spot: Spot) -> int:

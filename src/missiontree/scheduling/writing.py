@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from missiontree.mission.alternative import Alternative, Assignment
 from missiontree.mission.certificate import Certificate
+from missiontree.mission.fleet import RobotType
 from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
-from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.schedule import OwnLeg, Schedule, ScheduledAction, TravelLeg
 from missiontree.mission.ticks import seconds
-from missiontree.scheduling.problem import Done, Draft, Problem
+from missiontree.scheduling.problem import Done, Draft, Homeward, Problem
 
 
 def impossible_schedule(alternative: Alternative, method: str, reasons: Sequence[Reason]) -> Schedule:
@@ -71,6 +72,7 @@ def found_schedule(
             for one in draft.done
         ),
         legs=_legs(problem, draft),
+        returns=_returns(draft),
         makespan_s=seconds(draft.makespan),
         assumptions=_assumptions(problem, draft),
     )
@@ -79,6 +81,25 @@ def found_schedule(
 def _legs(problem: Problem, draft: Draft) -> tuple[TravelLeg, ...]:
     legs = [leg for one in draft.done if (leg := _leg(one, problem.graph.tree.action(one.leaf).moves)) is not None]
     return tuple(sorted(legs, key=lambda leg: (leg.start_s, leg.leaf, leg.robot)))
+
+
+def _returns(draft: Draft) -> tuple[OwnLeg, ...]:
+    legs = [
+        OwnLeg(
+            robot=one.robot,
+            start_s=seconds(one.start),
+            end_s=seconds(one.end),
+            origin=trip.origin,
+            destination=trip.destination,
+            distance_m=trip.metres,
+            via=trip.via,
+        )
+        for one in draft.returns
+        if (trip := one.trip).origin is not None
+        and trip.destination is not None
+        and (trip.metres or trip.ticks or trip.origin != trip.destination)
+    ]
+    return tuple(sorted(legs, key=lambda leg: (leg.start_s, leg.robot)))
 
 
 def _leg(one: Done, moves: bool) -> TravelLeg | None:
@@ -123,19 +144,44 @@ def _assumptions(problem: Problem, draft: Draft) -> tuple[Reason, ...]:
                 ),
             )
         elif trip.origin != trip.destination and not problem.trips.speed_known(kind.id):  # no metre may be, by lift
-            reasons.setdefault(
-                ("speed_unknown", kind.id),
-                Reason(
-                    rule="speed_unknown",
-                    message=f"How fast {kind.label} travels is not known; ways to actions take no time, moves their nominal duration.",
-                    severity="assumption",
-                    robot=kind.id,
-                    needed="max_speed_mps",
-                    hint="Give the type the limit max_speed_mps.",
-                ),
-            )
+            reasons.setdefault(("speed_unknown", kind.id), _speed_unknown(kind))
         lost.pop(one.robot, None)
+    for home in draft.returns:
+        for key, reason in _of_return(problem, home, lost.get(home.robot)):
+            reasons.setdefault(key, reason)
     return tuple(reasons[key] for key in sorted(reasons))
+
+
+def _of_return(problem: Problem, home: Homeward, lost: Action | None) -> Iterator[tuple[tuple[str, str], Reason]]:
+    """What was taken for granted of a way home, with a key of it."""
+    trip, kind = home.trip, problem.fleet.type_of[home.robot]
+    if trip.destination is None:
+        yield (
+            ("home_unknown", home.robot),
+            Reason(
+                rule="home_unknown",
+                message=f"Where {home.robot} started is not known; its way home is counted as no travel.",
+                severity="assumption",
+                robot=home.robot,
+                hint="Give the robot a position or a place.",
+            ),
+        )
+    elif trip.origin is None and lost is not None:
+        reason = _whereabouts_unknown(problem, lost, home.robot)
+        yield ("whereabouts_unknown", reason.message), reason
+    elif trip.origin != trip.destination and not problem.trips.speed_known(kind.id):
+        yield ("speed_unknown", kind.id), _speed_unknown(kind)
+
+
+def _speed_unknown(kind: RobotType) -> Reason:
+    return Reason(
+        rule="speed_unknown",
+        message=f"How fast {kind.label} travels is not known; ways to actions take no time, moves their nominal duration.",
+        severity="assumption",
+        robot=kind.id,
+        needed="max_speed_mps",
+        hint="Give the type the limit max_speed_mps.",
+    )
 
 
 def _whereabouts_unknown(problem: Problem, action: Action, robot: str) -> Reason:

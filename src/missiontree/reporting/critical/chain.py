@@ -15,7 +15,7 @@ from missiontree.mission.chain import Bond, CriticalChain, Step, StepKind
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Plan
-from missiontree.mission.schedule import Schedule
+from missiontree.mission.schedule import OwnLeg, Schedule
 from missiontree.mission.shared_resource import SharedResource
 from missiontree.reporting.critical.bonds import Bonds, Cause, Event
 from missiontree.reporting.critical.spans import ms
@@ -25,7 +25,7 @@ def critical_chain(
     tree: GroundedTree, schedule: Schedule, resources: Iterable[SharedResource] = (), fleet: Fleet | None = None
 ) -> tuple[Step, ...]:
     """
-    A critical chain, in order of time: contiguous, from 0 to the end of the last action.
+    A critical chain, in order of time: contiguous, from 0 to the end of the last action, or of the last way home if that is later.
 
     There may be several; ties go to the same role first, then to travel, order, robot and the smaller leaf. In a schedule that
     waits without a reason, the chain has a step of kind ``wait`` there. Empty if nothing takes time.
@@ -41,6 +41,9 @@ def critical_chain(
     """
     bonds = Bonds(tree, schedule, resources, fleet)
     end = max((ms(one.end_s) for one in schedule.actions), default=0)
+    home = max(schedule.returns, key=lambda leg: (ms(leg.end_s), leg.robot), default=None)
+    if home is not None and ms(home.end_s) > end:
+        return _and_home(bonds, home)
     last = min((leaf for leaf, one in bonds.at.items() if ms(one.end_s) == end), default=None)
     if last is None or not end:
         return ()
@@ -54,7 +57,7 @@ def chain_of(plan: Plan, schedule: Schedule) -> CriticalChain:
     steps = critical_chain(tree, schedule, plan.brief.world.resources, plan.brief.fleet)
     spent = {"work": 0, "travel": 0, "waiting": 0}
     for step in steps:
-        moving = step.kind == "travel" or (step.kind == "action" and tree.action(step.leaf).moves)
+        moving = step.kind in {"travel", "home"} or (step.kind == "action" and tree.action(step.leaf).moves)
         what = "travel" if moving else "work" if step.kind == "action" else "waiting"
         spent[what] += ms(step.end_s) - ms(step.start_s)
     return CriticalChain(
@@ -65,6 +68,18 @@ def chain_of(plan: Plan, schedule: Schedule) -> CriticalChain:
         waiting_s=spent["waiting"] / 1000,
         steps=steps,
     )
+
+
+def _and_home(bonds: Bonds, home: OwnLeg) -> tuple[Step, ...]:
+    """The chain to the last action of a robot, then its way home."""
+    own = [one for one in bonds.at.values() if one.robot == home.robot]
+    if not own:
+        return ()
+    last = max(own, key=lambda one: (ms(one.end_s), ms(one.start_s), one.leaf))
+    steps = _Walk(bonds).steps(Event("end", last.leaf))
+    if ms(last.end_s) < ms(home.start_s):
+        steps.append(Step("wait", last.leaf, home.robot, last.end_s, home.start_s, "unexplained"))
+    return (*steps, Step("home", last.leaf, home.robot, home.start_s, home.end_s, "robot"))
 
 
 class _Walk:

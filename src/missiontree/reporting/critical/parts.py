@@ -24,7 +24,7 @@ class Part:
     robot
         Who does it, or comes late, or waits.
     what
-        The role, or what is waited for.
+        The role, the way home, or what is waited for.
     start_s, end_s
         From when to when.
     travel_s
@@ -58,7 +58,7 @@ def parts_of(plan: Plan, schedule: Schedule) -> tuple[Part, ...]:
 
 
 def _goes_on(tree: GroundedTree, before: Step, step: Step) -> bool:
-    waits = "wait" in {before.kind, step.kind}
+    waits = "wait" in {before.kind, step.kind} or step.kind == "home"
     same = before.robot == step.robot and tree.action(before.leaf).role == tree.action(step.leaf).role
     return same and not waits
 
@@ -71,7 +71,7 @@ def _parts(tree: GroundedTree, runs: Sequence[Sequence[Step]]) -> Iterator[Part]
         held_by = runs[place + 1][0].bond if waits and place + 1 < len(runs) else "unexplained"
         yield Part(
             first.robot,
-            _waiting(tree, first, held_by) if waits else one_line(tree.roles[tree.action(first.leaf).role].label),
+            _waiting(tree, first, held_by) if waits else _doing(tree, first),
             first.start_s,
             last.end_s,
             sum(ms(step.end_s) - ms(step.start_s) for step in run if _moving(tree, step)) / 1000,
@@ -80,8 +80,12 @@ def _parts(tree: GroundedTree, runs: Sequence[Sequence[Step]]) -> Iterator[Part]
         )
 
 
+def _doing(tree: GroundedTree, step: Step) -> str:
+    return "the way home" if step.kind == "home" else one_line(tree.roles[tree.action(step.leaf).role].label)
+
+
 def _moving(tree: GroundedTree, step: Step) -> bool:
-    return step.kind == "travel" or (step.kind == "action" and tree.action(step.leaf).moves)
+    return step.kind in {"travel", "home"} or (step.kind == "action" and tree.action(step.leaf).moves)
 
 
 def _waiting(tree: GroundedTree, step: Step, held_by: str) -> str:

@@ -25,7 +25,7 @@ class Bar(NamedTuple):
 
 
 class Stretch(NamedTuple):
-    """A way to an action, labelled with its metres; a wait, with its reason; or a role, from its first action to its last."""
+    """A way to an action or home, labelled with its metres; a wait, with its reason; or a role, from its first action to its last."""
 
     start_s: float
     end_s: float
@@ -108,7 +108,7 @@ class Content:
     idle
         Robots that do nothing.
     makespan_s
-        End of the last action.
+        When everything is over, ways home included.
     chain
         The critical chain.
     orders

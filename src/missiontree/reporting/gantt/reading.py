@@ -9,7 +9,7 @@ from itertools import pairwise
 from missiontree.mission.chain import Step
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Plan
-from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.schedule import Leg, OwnLeg, Schedule, ScheduledAction, TravelLeg
 from missiontree.reporting.critical.bonds import Bonds, Event
 from missiontree.reporting.critical.chain import critical_chain
 from missiontree.reporting.critical.spans import ms
@@ -36,10 +36,16 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
     names = [*(robot for robot in looks if robot in own), *sorted(own.keys() - looks.keys())]
     kinds = plan.brief.fleet.type_of
     legs = {(leg.robot, leg.leaf): leg for leg in schedule.legs}
+    returns = {leg.robot: leg for leg in schedule.returns}
     rows = [
-        _Robot(tree, bonds, chain, legs, sorted(own[robot], key=lambda one: (one.start_s, one.end_s, one.leaf))).row(
-            robot, one_line(kinds[robot].label) if robot in kinds else "", looks.get(robot, Livery(0))
-        )
+        _Robot(
+            tree,
+            bonds,
+            chain,
+            legs,
+            returns.get(robot),
+            sorted(own[robot], key=lambda one: (one.start_s, one.end_s, one.leaf)),
+        ).row(robot, one_line(kinds[robot].label) if robot in kinds else "", looks.get(robot, Livery(0)))
         for robot in names
     ]
     idle = [robot for robot in looks if robot not in own]
@@ -47,7 +53,7 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
     return Content(
         rows,
         idle,
-        max(one.end_s for one in schedule.actions),
+        max([*(one.end_s for one in schedule.actions), *(leg.end_s for leg in schedule.returns)]),
         chain,
         list(_orders(tree, bonds, chain)),
         joint,
@@ -64,6 +70,7 @@ class _Robot:
     bonds: Bonds
     chain: Sequence[Step]
     legs: dict[tuple[str, int], TravelLeg]
+    home: OwnLeg | None
     done: Sequence[ScheduledAction]
 
     def row(self, robot: str, kind: str, livery: Livery) -> Row:
@@ -76,6 +83,8 @@ class _Robot:
             for one in self.done
             if (leg := self.bonds.legs.get(one.leaf)) is not None and leg.robot == robot
         ]
+        if self.home is not None:
+            ways.append(_way_home(self.home, any(step.kind == "home" and step.robot == robot for step in self.chain)))
         dues = dues_of(self.tree, [one.leaf for one in self.done])
         return Row(robot, kind, livery, bars, ways, list(self._waits()), self._roles(), dues)
 
@@ -130,7 +139,12 @@ class _Robot:
         ]
 
 
-def _distance(leg: TravelLeg) -> str:
+def _way_home(leg: OwnLeg, lit: bool) -> Stretch:
+    title = f"on the way home\n{leg.robot}, {exact(leg.start_s)} to {exact(leg.end_s)}\n{_distance(leg)}"
+    return Stretch(leg.start_s, leg.end_s, f"home, {leg.distance_m:,.0f} m", title, lit)
+
+
+def _distance(leg: Leg) -> str:
     return f"{leg.distance_m:.1f} m" + (f" via {', '.join(leg.via)}" if leg.via else "")
 
 

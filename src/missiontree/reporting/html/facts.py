@@ -153,5 +153,5 @@ def makespan_note(schedule: Schedule) -> str:
 
 
 def _travel(schedule: Schedule) -> str:
-    metres = sum(leg.distance_m for leg in schedule.legs)
+    metres = sum(leg.distance_m for leg in schedule.ways)
     return f"{number(round(metres, 1))} m of travel" if metres else ""

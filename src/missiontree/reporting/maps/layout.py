@@ -168,6 +168,6 @@ def _points(content: MapContent, plan: Plan) -> Iterator[tuple[float, float, str
         yield grid.x_m, grid.y_m, grid.floor
         yield grid.x_m + len(grid.rows[0]) * grid.cell_m, grid.y_m + len(grid.rows) * grid.cell_m, grid.floor
     for schedule in plan.schedules:
-        for leg in schedule.legs:
+        for leg in schedule.ways:
             for spot in (leg.origin, leg.destination):
                 yield spot.x_m, spot.y_m, spot.floor

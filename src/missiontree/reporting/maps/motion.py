@@ -16,8 +16,9 @@ from typing import Any
 from missiontree.mission.plan import Plan
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.maps.content import base_kind, content_of
+from missiontree.reporting.maps.errands import Errand
 from missiontree.reporting.maps.layout import MapLayout, layout_of
-from missiontree.reporting.maps.routes import routes_of, schedule_of
+from missiontree.reporting.maps.routes import in_order, routes_of, schedule_of
 from missiontree.reporting.maps.things import ThingKind
 from missiontree.reporting.maps.tracks import Track, changing, entity_track, robot_track
 from missiontree.reporting.references import refuse_dangling
@@ -185,7 +186,10 @@ def motion(plan: Plan, rank: int, *, floor: str | None = None) -> Motion | None:
             dy=dy,
             frames=_frames(robot_track(route), layout),
             doings=tuple(
-                Doing(deed.scheduled.start_s, deed.scheduled.end_s, one_line(deed.action.text)) for deed in route.deeds
+                Doing(one.start_s, one.end_s, one.text)
+                if isinstance(one, Errand)
+                else Doing(one.scheduled.start_s, one.scheduled.end_s, one_line(one.action.text))
+                for one in in_order(route.deeds, route.errands)
             ),
         )
         for route, (dx, dy) in zip(routes, _ring(len(routes)), strict=True)

@@ -12,6 +12,7 @@ from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
+from missiontree.reporting.maps.errands import Errand, errands_of
 from missiontree.reporting.maps.ways import WayFinder, Waypoint
 from missiontree.reporting.maps.whereabouts import Deed, Whereabouts, whereabouts_of
 from missiontree.reporting.palette import Livery, livery
@@ -52,7 +53,7 @@ class Passage:
     Parameters
     ----------
     leaf
-        Action that it is travelled for.
+        Action that it is travelled for; -1 if it is travelled for the robot's own sake.
     line
         Where the robot is when.
     distance_m
@@ -86,7 +87,9 @@ class Route:
     stops
         Where it does it; number 0 only if something is done at the start.
     passages
-        Its ways.
+        Its ways, in order of time.
+    errands
+        Stops that are no actions, in order.
     """
 
     robot: str
@@ -98,6 +101,7 @@ class Route:
     deeds: tuple[Deed, ...]
     stops: tuple[Stop, ...]
     passages: tuple[Passage, ...]
+    errands: tuple[Errand, ...] = ()
 
     @property
     def distance_m(self) -> float:
@@ -138,14 +142,17 @@ def routes_of(plan: Plan, rank: int | None, scene: Scene) -> tuple[list[Route], 
     fleet, letters, ways = plan.brief.fleet, letters_of(plan), WayFinder(scene)
     places = {robot: place for place, robot in enumerate(fleet.robots)}
     routes = []
+    errands = errands_of(schedule)
     for robot, deeds in where.by_robot():
+        own = errands.get(robot, ())
         kind, known = fleet.type_of.get(robot), fleet.robots.get(robot)
         start = start_of(known, scene) if known is not None else None
-        passages = tuple(
+        passages = [
             Passage(deed.scheduled.leaf, ways.line(deed.leg, kind, deed.action.brings), deed.leg.distance_m)
             for deed in deeds
             if deed.leg is not None
-        )
+        ]
+        passages += [Passage(-1, ways.line(one.leg, kind), one.leg.distance_m) for one in own if one.leg is not None]
         colours = livery(places.get(robot, len(places)))
         routes.append(
             Route(
@@ -156,17 +163,23 @@ def routes_of(plan: Plan, rank: int | None, scene: Scene) -> tuple[list[Route], 
                 livery=colours,
                 start=start,
                 deeds=tuple(deeds),
-                stops=tuple(_stops(start, deeds)),
-                passages=passages,
+                stops=tuple(_stops(start, deeds, own)),
+                passages=tuple(sorted(passages, key=lambda passage: passage.line[0].t_s if passage.line else 0.0)),
+                errands=own,
             )
         )
     return sorted(routes, key=lambda route: (places.get(route.robot, len(places)), route.robot)), where
 
 
-def _stops(start: Position | None, deeds: Sequence[Deed]) -> Iterator[Stop]:
-    """Deeds one after the other at one spot are one stop."""
+def _stops(start: Position | None, deeds: Sequence[Deed], errands: Sequence[Errand]) -> Iterator[Stop]:
+    """Deeds one after the other at one spot are one stop; an errand is one of its own."""
     here = Stop(0, start, 0.0, 0.0, ())
-    for deed in deeds:
+    for deed in in_order(deeds, errands):
+        if isinstance(deed, Errand):
+            if here.number or here.texts:
+                yield here
+            here = Stop(here.number + 1, deed.spot, deed.start_s, deed.end_s, (deed.text,))
+            continue
         one = deed.scheduled
         stays = deed.action.at is None and not deed.action.moves
         spot = here.spot if stays else deed.at
@@ -179,6 +192,16 @@ def _stops(start: Position | None, deeds: Sequence[Deed]) -> Iterator[Stop]:
         here = Stop(here.number + 1, spot, arrival_s, one.end_s, (deed.action.text,), deed.action.at)
     if here.number or here.texts:
         yield here
+
+
+def in_order(deeds: Sequence[Deed], errands: Sequence[Errand]) -> list[Deed | Errand]:
+    """What a robot does, errands included, in order of time; at one moment deeds that end there come first."""
+    steps: list[tuple[float, float, int, Deed | Errand]] = []
+    for place, deed in enumerate(deeds):
+        steps.append((deed.scheduled.start_s, deed.scheduled.end_s, place, deed))
+    for errand in errands:
+        steps.append((errand.start_s, errand.end_s, len(deeds), errand))
+    return [step[-1] for step in sorted(steps, key=lambda step: step[:-1])]
 
 
 def _letter(place: int) -> str:

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
-from missiontree.reporting.maps.routes import Route
+from missiontree.reporting.maps.errands import Errand
+from missiontree.reporting.maps.routes import Route, in_order
 from missiontree.reporting.maps.ways import Waypoint
 from missiontree.reporting.maps.whereabouts import Deed, Whereabouts
 
@@ -21,7 +22,13 @@ def robot_track(route: Route) -> Track:
     if here is not None:
         track.append((0.0, _at(0.0, here)))
     lines = {passage.leaf: passage.line for passage in route.passages}
-    for deed in route.deeds:
+    own = iter([passage.line for passage in route.passages if passage.leaf == -1])
+    for deed in in_order(route.deeds, route.errands):
+        if isinstance(deed, Errand):
+            if deed.leg is not None:
+                track += [(waypoint.t_s, waypoint) for waypoint in next(own)]
+            here = deed.spot
+            continue
         one = deed.scheduled
         if deed.leg is not None:
             track += [(waypoint.t_s, waypoint) for waypoint in lines[one.leaf]]

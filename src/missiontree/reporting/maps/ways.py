@@ -16,7 +16,7 @@ from missiontree.estimation.travel import speed_of
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
-from missiontree.mission.schedule import TravelLeg
+from missiontree.mission.schedule import Leg
 
 _STRAIGHT_M = 1e-6
 
@@ -87,7 +87,7 @@ class WayFinder:
         self._grids: dict[Access, DrawnGrid] = {}
         self._planes: dict[tuple[Access, str], Plane] = {}
 
-    def line(self, leg: TravelLeg, kind: RobotType | None, brought: Sequence[str] = ()) -> tuple[Waypoint, ...]:
+    def line(self, leg: Leg, kind: RobotType | None, brought: Sequence[str] = ()) -> tuple[Waypoint, ...]:
         """
         Where a robot is on a leg, from its start to its end; at least two waypoints.
 
@@ -102,7 +102,7 @@ class WayFinder:
         """
         return _timed(leg, self._stretches(leg, kind, brought))
 
-    def _stretches(self, leg: TravelLeg, kind: RobotType | None, brought: Sequence[str]) -> list[_Stretch]:
+    def _stretches(self, leg: Leg, kind: RobotType | None, brought: Sequence[str]) -> list[_Stretch]:
         if leg.via:
             return self._by_road(leg, kind, brought)
         points: list[Point] | None = None
@@ -117,7 +117,7 @@ class WayFinder:
         ends = [Position(x, y, floor=leg.origin.floor) for x, y in points]
         return [_Stretch(end, distance(xy(start), xy(end))) for start, end in pairwise(ends)]
 
-    def _by_road(self, leg: TravelLeg, kind: RobotType | None, brought: Sequence[str]) -> list[_Stretch]:
+    def _by_road(self, leg: Leg, kind: RobotType | None, brought: Sequence[str]) -> list[_Stretch]:
         nodes = [(name, self._scene.road_points[name]) for name in leg.via if name in self._scene.road_points]
         stretches = [_stretch(leg.origin, nodes[0][1])] if nodes else []
         speed = self._speed(kind, brought)
@@ -187,7 +187,7 @@ def _stretch(start: Position, end: Position) -> _Stretch:
     return _Stretch(end, distance(xy(start), xy(end)) if start.floor == end.floor else 0.0)
 
 
-def _timed(leg: TravelLeg, stretches: Sequence[_Stretch]) -> tuple[Waypoint, ...]:
+def _timed(leg: Leg, stretches: Sequence[_Stretch]) -> tuple[Waypoint, ...]:
     """Lifts take their time, the rest is shared out by metres; where that is more than there is, all is shrunk alike."""
     whole_s = leg.end_s - leg.start_s
     length_m = math.fsum(stretch.length_m for stretch in stretches)

@@ -84,7 +84,7 @@ def _scheduled(plan: Plan, schedule: Schedule) -> Use:
     for one in schedule.actions:
         for name, amount in plan.grounding.tree.action(one.leaf).uses.items():
             used[one.robot, name] += amount
-    for leg in schedule.legs:
+    for leg in schedule.ways:
         kind = plan.brief.fleet.type_of.get(leg.robot)
         for name, per_m in kind.uses_per_m.items() if kind is not None else ():
             used[leg.robot, name] += per_m * leg.distance_m

@@ -226,7 +226,7 @@ def _column(
         known=f"{'rank proven' if proven else 'rank not proven'}{_scheduled_words(schedule)}",
         schedule=schedule.status if schedule is not None else None,
         makespan_s=scheduled.makespan_s if scheduled is not None else None,
-        travel_m=math.fsum(leg.distance_m for leg in scheduled.legs) if scheduled is not None else None,
+        travel_m=math.fsum(leg.distance_m for leg in scheduled.ways) if scheduled is not None else None,
         robots=len({assignment.robot for assignment in named}) or None,
         choices=tuple(_choices(plan, alternative)),
         limits=limits_of(plan, alternative, scheduled),

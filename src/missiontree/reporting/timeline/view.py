@@ -10,7 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from missiontree.mission.plan import Plan
-from missiontree.mission.schedule import Schedule, TravelLeg
+from missiontree.mission.schedule import Leg, Schedule
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.gantt.content import Content
 from missiontree.reporting.gantt.content import Row as Shown
@@ -80,9 +80,11 @@ def timeline_rows(schedule: Schedule, plan: Plan) -> Iterator[Row]:
     for leg in schedule.legs:
         if leg.leaf not in moves and leg.distance_m > 0:
             yield Row(leg.robot, leg.start_s, leg.end_s, f"travel {_way(leg)}", moving=True, leaf=leg.leaf, travel=True)
+    for home in schedule.returns:
+        yield Row(home.robot, home.start_s, home.end_s, f"travel home {_way(home)}", moving=True, travel=True)
 
 
-def _way(leg: TravelLeg) -> str:
+def _way(leg: Leg) -> str:
     """How far, and by which nodes of the road graph."""
     return f"{leg.distance_m:.1f} m" + (f" via {', '.join(leg.via)}" if leg.via else "")
 

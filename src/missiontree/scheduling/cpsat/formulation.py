@@ -21,7 +21,7 @@ from missiontree.scheduling.cpsat.staff import MOST_FACTOR, Staff, least_whole, 
 from missiontree.scheduling.cpsat.things import Things
 from missiontree.scheduling.cpsat.times import Times
 from missiontree.scheduling.cpsat.tours import Tours
-from missiontree.scheduling.cpsat.travel import Distances, Legs
+from missiontree.scheduling.cpsat.travel import Distances, Legs, home_after
 from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.room import rank_of, turns
 
@@ -89,10 +89,12 @@ class Formulation:
 
     def travel_mm(self, draft: Draft) -> int:
         """Millimetres of a draft, each way rounded as in the model."""
-        return sum(round(one.trip.metres * 1000) for one in draft.done if one.trip is not None)
+        trips = [*(one.trip for one in draft.done), *(one.trip for one in draft.returns)]
+        return sum(round(trip.metres * 1000) for trip in trips if trip is not None)
 
     def _travel(self) -> tuple[list[tuple[int, int]], int]:
-        return self.distances.of(tuple(self.problem.graph.activity_of))
+        graph = self.problem.graph
+        return self.distances.of((*graph.activity_of, *(home_after(role) for role in graph.roles)))
 
     def _add_totals(self) -> None:
         """What all robots of a type, or all robots, may use together, ways included."""
@@ -113,7 +115,8 @@ class Formulation:
             spent += least_whole(uses_of(self.problem, role).get(name, 0.0), scale)
         for one in tours:
             factor = min(MOST_FACTOR, int(per_m[one.crew.kind.id] / 1000 * scale * (1 - 1e-9)))
-            leaves = tuple(leaf for role in one.crew.roles for leaf in graph.roles[role])
+            own = one.crew.roles
+            leaves = (*(leaf for role in own for leaf in graph.roles[role]), *(home_after(role) for role in own))
             ways, known = self.distances.of(leaves)
             terms += [(factor * mm, variable) for mm, variable in ways]
             spent += factor * (known - len(leaves))

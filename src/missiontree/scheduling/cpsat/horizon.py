@@ -30,7 +30,16 @@ def horizon_of(problem: Problem) -> int:
     for leaves in graph.activities:
         total += max(_way(problem, leaf, spots) for leaf in leaves)
         total += max(ticks(graph.tree.action(leaf).duration_s) for leaf in leaves)
-    return max(total, problem.bounds.makespan)
+    if problem.returning:
+        total += max((_way_home(problem, type_id, reached) for type_id, reached in spots.items()), default=0)
+    horizon = max(total, problem.bounds.makespan)
+    return horizon if problem.home_by is None else min(horizon, problem.home_by)
+
+
+def _way_home(problem: Problem, type_id: str, spots: set[Spot]) -> int:
+    """The longest way home of a type."""
+    ways = (problem.trips.approach(type_id, spot, home) for spot in spots for home in problem.trips.starts(type_id))
+    return max((way.ticks for way in ways if not isinstance(way, Blocked)), default=0)
 
 
 def _way(problem: Problem, leaf: int, spots: dict[str, set[Spot]]) -> int:

@@ -104,6 +104,8 @@ class SecondForm:
             staff.budgets()
             self._present(crew, staff)
         members = range(len(crew.members))
+        if self._problem.returning and crew.tours:
+            self._come_home(crew, staff, ways)
         for role in crew.roles if crew.tours else ():
             for number in members:
                 arrival = ways.least(crew.members[number].start, role)
@@ -132,6 +134,22 @@ class SecondForm:
                 self.model.at_least(self._at[start], Affine(None, member.since), 0, (literal,))
                 if member.until is not None:
                     self.model.at_least(Affine(None, member.until), self._at[end], 0, (literal,))
+
+    def _come_home(self, crew: Crew, staff: Staff | None, ways: _Ways) -> None:
+        """After each of its roles a robot can still be home in time."""
+        for role in crew.roles:
+            over = self._at[self._graph.end(self._graph.roles[role][-1])]
+            for number, member in enumerate(crew.members):
+                literal = (
+                    self.model.true if staff is None else staff.fills[self._problem.staffing.group_of[role], number]
+                )
+                way = ways.home(role, member.start)
+                if way is None:
+                    self.model.clause(negated(literal))
+                    continue
+                self.model.at_least(Affine(None, self._latest), over, way, (literal,))
+                if member.until is not None:
+                    self.model.at_least(Affine(None, member.until), over, way, (literal,))
 
     def _either_order(self, first: int, second: int, ways: _Ways) -> tuple[int, int]:
         """Literals of the two orders; where one holds, the robot has time to get from the one to the other."""
@@ -209,6 +227,14 @@ class _Ways:
             return 0
         found = [self._least[origin, goal] for goal in self._places[role][0] if (origin, goal) in self._least]
         return min(found, default=None)
+
+    def home(self, role: int, start: Spot) -> int | None:
+        """From the last place of a role to a start."""
+        if not self._places[role]:
+            return 0
+        return min(
+            (self._least[spot, start] for spot in self._places[role][-1] if (spot, start) in self._least), default=None
+        )
 
     def between(self, before: int, after: int) -> int | None:
         """From the last place of a role to the first of another."""

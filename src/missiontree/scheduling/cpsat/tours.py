@@ -7,8 +7,9 @@ does the second right after the first, and how long it is under way between. A r
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
+from missiontree.estimation.travel import Blocked
 from missiontree.scheduling.cpsat.crew import Crew, uses_of
 from missiontree.scheduling.cpsat.heads import Spans, count_heads
 from missiontree.scheduling.cpsat.model import FAR, Affine, ExactlyOne, Linear, Model, Routes, negated
@@ -16,10 +17,10 @@ from missiontree.scheduling.cpsat.ordering import Ordering
 from missiontree.scheduling.cpsat.placing import Stations, Way, Where
 from missiontree.scheduling.cpsat.staff import MOST_FACTOR, Staff, least_whole, scale_of, whole
 from missiontree.scheduling.cpsat.times import Times
-from missiontree.scheduling.cpsat.travel import Distances, Legs
+from missiontree.scheduling.cpsat.travel import Distances, Legs, home_after
 from missiontree.scheduling.cpsat.unsupported import TimeIsUpError, UnsupportedError
 from missiontree.scheduling.problem import Problem
-from missiontree.scheduling.trips import Spot
+from missiontree.scheduling.trips import Spot, Trip
 
 MOST_ARCS = 40_000
 
@@ -63,6 +64,8 @@ class Tours:
         self._add_arcs()
         self.staff = self._add_staff()
         self._add_times()
+        self._homes = tuple(self._ways_home()) if problem.returning else ()
+        self._add_homes()
         count_heads(model, crew, spans, crew.usable)
         self._add_budgets()
         self._add_leaving()
@@ -130,7 +133,9 @@ class Tours:
 
     def _add_staff(self) -> Staff | None:
         crew, model = self.crew, self._model
-        if not crew.apart and (len(crew.members) == 1 or len(crew.groups) == len(crew.roles)):
+        homes = {member.start for member in crew.members} if self._problem.returning else set()
+        indifferent = len(crew.groups) == len(crew.roles) and len(homes) <= 1
+        if not crew.apart and (len(crew.members) == 1 or indifferent):
             return None
         staff = Staff(model, self._problem, crew)
         group_of = self._problem.staffing.group_of
@@ -163,6 +168,30 @@ class Tours:
                     for goal, goes_there in stations.where[first].items():
                         when = tuple(one for one in (taken, is_there, goes_there) if one != self._model.true)
                         self._come(first, stations.way(first, origin, goal), over, when)
+
+    def _ways_home(self) -> Iterator[tuple[int, Way | None, tuple[int, ...]]]:
+        """Every way home that a tour may end with: the role before it, the way (None if there is none), and what holds then."""
+        crew, trips, group_of = self.crew, self._problem.trips, self._problem.staffing.group_of
+        one_home = len({member.start for member in crew.members}) == 1
+        for role in crew.roles:
+            if self._time_is_up():
+                raise TimeIsUpError
+            ends = self.arcs[self.node(role), 0]
+            for number, member in enumerate(crew.members[:1] if one_home else crew.members):
+                who = () if one_home or self.staff is None else (self.staff.fills[group_of[role], number],)
+                for spot, is_there in self._left_at(self.node(role)).items():
+                    when = tuple(literal for literal in (ends, *who, is_there) if literal != self._model.true)
+                    if self._model.false not in when:
+                        yield role, _way(trips.approach(crew.kind.id, spot, member.start)), when
+
+    def _add_homes(self) -> None:
+        """The mission lasts until everybody is home."""
+        for role, way, when in self._homes:
+            if way is None:
+                self._model.clause(*(negated(literal) for literal in when))
+                continue
+            self._model.at_least(Affine(self._times.makespan), self._spans.end(role), way.ticks, when)
+            self._distances.least(home_after(role), way.mm, when)
 
     def _come(self, leaf: int, way: Way | None, over: Affine, when: tuple[int, ...]) -> None:
         if leaf in self._stations.before:
@@ -223,6 +252,9 @@ class Tours:
                     model.at_least(leaves[crew.roles[tail - self._first_node]], leaves[role], 0, (taken,))
                 elif (until := crew.members[tail - 1].until) is not None:
                     model.at_least(Affine(None, until), leaves[role], 0, (taken,))
+        for role, way, when in self._homes:
+            if way is not None:
+                model.at_least(leaves[role], self._spans.end(role), way.ticks, when)
 
     def _add_budgets(self) -> None:
         """What is left of a budget, role by role along a tour."""
@@ -258,6 +290,11 @@ class Tours:
                     when = tuple(one for one in (taken, limited[role]) if one != model.true)
                     model.add(Linear((*spend, (-1, before)), -FAR, -spent, when))
 
+        for role, way, when in self._homes:
+            if way is not None and way.mm > 1 and factor:
+                home = tuple(one for one in (*when, limited[role]) if one != model.true)
+                model.add(Linear(((1, left[role]),), factor * (way.mm - 1), FAR, home))
+
     def _limited(self, name: str) -> dict[int, int]:
         """By role the literal that its robot has only so much of a budget."""
         crew, model = self.crew, self._model
@@ -274,3 +311,7 @@ class Tours:
                     model.implies((taken, before), literal)
                     model.implies((taken, literal), before)
         return found
+
+
+def _way(trip: Trip | Blocked) -> Way | None:
+    return None if isinstance(trip, Blocked) else Way(trip.ticks, round(trip.metres * 1000), trip.metres)

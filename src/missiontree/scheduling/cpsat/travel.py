@@ -11,9 +11,14 @@ from missiontree.scheduling.problem import Problem
 MOST_MM = 1 << 32
 
 
+def home_after(role: int) -> int:
+    """The key of the way home after a role: beside actions, which are numbered from 0 on."""
+    return -1 - role
+
+
 class Distances:
     """
-    How far robots go, in millimetres, by action: known, or a variable.
+    How far robots go, in millimetres, by action, and by role after which it goes home: known, or a variable.
 
     Parameters
     ----------

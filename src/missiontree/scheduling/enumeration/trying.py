@@ -11,7 +11,7 @@ only before the starts of all that is put down later. What takes no time is an e
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
 
@@ -80,6 +80,7 @@ class Trying:
         self._names: list[str] = []
         self._kind: list[str] = []
         self._alike: list[object] = []
+        self._homes: list[Spot] = []
         self._since: list[int] = []
         self._until: list[int | None] = []
         for kind in problem.fleet.types:
@@ -87,6 +88,7 @@ class Trying:
                 named = robot.id if robot.id in problem.required else ""
                 self._names.append(robot.id)
                 self._kind.append(kind.id)
+                self._homes.append(start)
                 self._alike.append(
                     (kind.id, start, tuple(sorted(robot.remaining.items())), named, kind.availability(robot))
                 )
@@ -176,11 +178,24 @@ class Trying:
     def _finish(self, state: State) -> None:
         end = max(state.time[1 : 2 * len(self._actions) : 2], default=0)
         used = set(state.robot_of.values())
+        if self._problem.returning:
+            state = state.copy()
+            if not all(self._go_home(state, robot) for robot in used):
+                return
+            end = max([end, *(state.free[robot] for robot in used)])
         if end > self._limit or any(state.missing) or not self._in_time(state):
             return
         if not {*self._problem.required} <= {self._names[robot] for robot in used}:
             return
         self._best, self._limit = self._course(state), end - 1
+
+    def _go_home(self, state: State, robot: int) -> bool:
+        """Whether a robot gets home; it is there afterwards."""
+        trip = self._problem.trips.approach(self._kind[robot], state.spot[robot], self._homes[robot])
+        if isinstance(trip, Blocked) or not self._spend(state, {}, robot, trip):
+            return False
+        state.free[robot] += trip.ticks
+        return self._problem.home_by is None or state.free[robot] <= self._problem.home_by
 
     def _in_time(self, state: State) -> bool:
         """Whether deadlines are kept, and nobody is kept longer than it stays."""
@@ -270,7 +285,7 @@ class Trying:
         after.starts[activity] = start
         for leaf, action in self._actions[activity]:
             robot = robots[action.role]
-            if not self._spend(after, leaf, robot, trips[leaf]):
+            if not self._spend(after, action.uses, robot, trips[leaf]):
                 return None
             after.robot_of[self._staffing.group_of[action.role]] = robot
             after.role[robot] = action.role
@@ -333,9 +348,9 @@ class Trying:
         found = state.things.get(name)
         return (self._problem.trips.spot(name), 0, 0) if found is None else found
 
-    def _spend(self, state: State, leaf: int, robot: int, trip: Trip | None) -> bool:
+    def _spend(self, state: State, uses: Mapping[str, float], robot: int, trip: Trip | None) -> bool:
         kind = self._problem.fleet.by_id[self._kind[robot]]
-        use = dict(self._graph.tree.action(leaf).uses)
+        use = dict(uses)
         if trip is not None:
             for name, amount in kind.uses_per_m.items():
                 use[name] = use.get(name, 0.0) + amount * trip.metres
