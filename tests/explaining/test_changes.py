@@ -23,6 +23,7 @@ RICH_SCENE = (
     + """
 zones: [{id: ward}]
 stock: {energy_j: 100}
+resources: [{id: gate}]
 keep_outs: [{id: wet, area: {corners: [[10, -1], [11, -1], [11, 1]]}}]
 roads:
   roads: [{ends: [dock, hall], blocked: true, types: [rover], one_way: true}]
@@ -75,6 +76,7 @@ def test_what_the_mission_states_is_what_may_be_changed() -> None:
         ("allow_zone", "rover", "ward"),
         ("add_robot", "rover", ""),
         ("raise_in_use", "rover", ""),
+        ("raise_capacity", "gate", ""),
         ("raise_total", "", "energy_j"),
         ("raise_total", "arm", "energy_j"),
         ("raise_stock", "", "energy_j"),
@@ -105,6 +107,7 @@ def test_what_the_mission_states_is_what_may_be_changed() -> None:
         (Change(kind="allow_zone", target="rover", name="ward"), "Let Rover enter the zone ward."),
         (Change(kind="add_robot", target="rover", was=3, to=4), "Add one more Rover."),
         (Change(kind="raise_in_use", target="rover", was=1, to=2), "Let 2 robots of type Rover take part instead of 1 (max_in_use)."),
+        (Change(kind="raise_capacity", target="gate", was=1, to=2), "Make room for 2 robots at a time at gate instead of 1."),
         (Change(kind="raise_stock", name="energy_j", was=100, to=150), "Raise the stock of energy_j from 100 to 150."),
         (Change(kind="raise_limit", target="arm", name="payload_kg", was=4, to=12), "Raise payload_kg of Arm from 4 to 12."),
         (Change(kind="add_capability", target="rover", name="carry", to=1), "Give Rover the capability carry (taken at quality 1)."),

@@ -16,8 +16,10 @@ from missiontree.briefing import DEFAULT_K, Request, request_from
 from missiontree.errors import InputError
 from missiontree.estimation.answers import ReadingOut
 from missiontree.estimation.own import OwnEstimator
+from missiontree.explaining.any_schedule import THOROUGH
 from missiontree.explaining.case import Case
 from missiontree.explaining.causes.causes import causes_of
+from missiontree.explaining.causes.closer import closer
 from missiontree.explaining.causes.routines import routine_causes
 from missiontree.explaining.repairing import Repairs, planned
 from missiontree.explaining.understood import understood
@@ -29,6 +31,8 @@ from missiontree.planner import author, plan_authored
 from missiontree.routines.ground import ground
 
 MOST_REPAIRS = 6
+SETTLING_SHARE = 0.3
+"""Share of the time for finding out whether the mission can be done after all."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,6 +134,8 @@ def explain(
 
 def explained(plan: Plan, request: Request, control: Control, most: int = MOST_REPAIRS) -> Explained:
     """Explain a plan that was made of a request, see :func:`explain`."""
+    if plan.outcome == "exhausted" and plan.tree is not None and plan.grounding is not None:
+        plan = _settled(plan, request, control)
     told = Explanation(outcome=plan.outcome, mission=plan.brief.text, plan=plan)
     if plan.outcome == "delivered":
         return Explained(told, request)
@@ -139,8 +145,17 @@ def explained(plan: Plan, request: Request, control: Control, most: int = MOST_R
     known = [cause.shortfall for cause in causes if cause.shortfall is not None]
     repairs = Repairs(request, case, known, control)
     found = repairs.find(max(1, most))
+    causes = tuple(closer(cause, found) for cause in causes)
     told = replace(told, causes=causes, repairs=found, cheapest=repairs.cheapest, tried=repairs.looked_at)
     return Explained(told, request, case)
+
+
+def _settled(plan: Plan, request: Request, control: Control) -> Plan:
+    """A plan that leaves open whether the mission can be done, made again by more thorough methods; what they cannot settle stays."""
+    thorough = replace(request, allocator="exact", scheduler=THOROUGH)
+    authored = Authored(status="complete", tree=plan.tree, author="given", notices=plan.notices)
+    again = plan_authored(thorough, authored, control.part(SETTLING_SHARE))
+    return again if again.outcome != "exhausted" else plan
 
 
 def _causes(plan: Plan, request: Request) -> tuple[tuple[Cause, ...], Case | None]:

@@ -24,11 +24,6 @@ from missiontree.mission.change import Change, ChangeKind
 from missiontree.mission.costs import Costs
 from missiontree.mission.explanation import Cheapest, Shortfall
 
-OFFERING: frozenset[ChangeKind] = frozenset(
-    {"add_capability", "raise_limit", "lower_limit", "raise_quality", "allow_zone", "ignore_kinds", "allow_type"}
-)
-"""Kinds that offer new ways. A way that moves somebody may bring an order with it, so that more can be less where times count."""
-
 
 @dataclass(frozen=True, slots=True)
 class Found:
@@ -70,7 +65,7 @@ class Finder:
         self.case, self._prober, self._costs, self._known = case, prober, costs, known
         self._needs: Needs = needs_of(case)
         self._answers: dict[frozenset[Change], Answer] = {}
-        self._timed = _timed(case)
+        self._order = order_of(self.ask(()))
         order = enumerate(candidates(case))
         self.changes = [change for _, change in sorted(order, key=lambda pair: (self.cost([pair[1]]), pair[0]))]
 
@@ -104,7 +99,7 @@ class Finder:
             if len(found) >= most and least >= sorted(one.cost for one in found)[most - 1]:
                 break
             answer = self.ask([change]) if change.kind not in hopeless else NO
-            if answer.possible is None:
+            if answer.possible is None or (sized(change) and answer.possible is False and not self._only_more(answer)):
                 undecided.append(least)
             elif change.kind == "drop_part" and any(self._holds(change, one.changes[0]) for one in found):
                 continue  # less of it is enough
@@ -126,10 +121,21 @@ class Finder:
         hopeless: set[ChangeKind] = set()
         for kind, group in groupby(kinds, key=lambda change: change.kind):
             together = list(group)
-            sure = not (self._timed and kind in OFFERING)
-            if kind != "drop_part" and len(together) > 1 and sure and self.ask(together).possible is False:
+            if kind == "drop_part" or len(together) < 2:
+                continue
+            answer = self.ask(together)
+            if answer.possible is False and self._only_more(answer):
                 hopeless.add(kind)
         return hopeless
+
+    def _only_more(self, answer: Answer) -> bool:
+        """
+        Whether a changed mission has all ways of the mission as it is, and more.
+
+        Who moves an entity and who uses it have an order, which is added to the mission. A new way that moves one may bring such an order
+        along, and so be less. Everything else that is changed here adds ways, and takes none away.
+        """
+        return answer.grounding is None or order_of(answer) <= self._order
 
     def sets(self, most: int) -> list[Found]:
         """Sets of changes that are enough, none of which can be spared."""
@@ -184,14 +190,14 @@ class Finder:
             size = smallest(with_step, steps, last_step(change, MOST_ADDED))
             if size is None:
                 return None
-            proven = proven and size.proven and not (self._timed and change.kind in OFFERING)
+            proven = proven and size.proven and self._only_more(free)
             changes = (*others[0], at_step(change, size.step), *others[1])
         return Found(changes, self.cost(changes), proven)
 
 
-def _timed(case: Case) -> bool:
-    """Whether anything has to be done by some time."""
-    brief = case.brief
-    stays = (kind.availability(robot)[1] for kind in brief.fleet.types for robot in kind.members)
-    dues = (node.deadline_s for node in case.tree.nodes)
-    return any(time is not None for time in (brief.deadline_s, *dues, *stays))
+def order_of(answer: Answer) -> frozenset[tuple[str | None, str | None, str]]:
+    """Links of a grounded mission between nodes of its tree."""
+    if answer.grounding is None:
+        return frozenset()
+    tree = answer.grounding.tree
+    return frozenset((tree.nodes[link.first].source, tree.nodes[link.second].source, link.kind) for link in tree.links)

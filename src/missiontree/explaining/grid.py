@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from missiontree.mission.change import Change, ChangeKind
 
-WHOLE: frozenset[ChangeKind] = frozenset({"add_robot", "raise_in_use"})
+WHOLE: frozenset[ChangeKind] = frozenset({"add_robot", "raise_in_use", "raise_capacity"})
 DOWN: frozenset[ChangeKind] = frozenset({"lower_min_quality", "move_release", "come_earlier", "lower_limit"})
 STEPS = 1000
 """Steps to a unit: a time is found to the tick, a mass to the gram."""

@@ -22,6 +22,7 @@ ChangeKind = Literal[
     "extend_stay",
     "come_earlier",
     "raise_in_use",
+    "raise_capacity",
     "raise_total",
     "raise_stock",
     "raise_limit",
@@ -46,12 +47,14 @@ class Change(Value):
         ``allow_type``: a robot type for one routine. ``ignore_kinds``: kinds of arguments are not enforced. ``drop_link``: a link of the
         tree. ``open_way``: a road or a lift. ``lift_keep_out``: an area that robots do not enter. ``allow_zone``: a zone for a robot
         type. ``extend_deadline``, ``move_release``: times of a node, or of the mission. ``extend_stay``, ``come_earlier``: times of a
-        robot or a robot type. ``raise_in_use``: how many robots of a type may take part. ``raise_total``: what the robots of a type, or
+        robot or a robot type. ``raise_in_use``: how many robots of a type may take part. ``raise_capacity``: how many
+        robots a shared resource has room for. ``raise_total``: what the robots of a type, or
         all, may use together. ``raise_stock``: what the scene holds. ``raise_limit``, ``lower_limit``: a limit of a robot type.
         ``raise_quality``, ``add_capability``: what a robot type can do. ``add_robot``: one more robot of a type. ``drop_part``: a node
         of the tree is left out.
     target
-        What is changed: a robot type, a robot, a node, ``a - b`` for a road, a lift, a keep-out; empty for the whole mission.
+        What is changed: a robot type, a robot, a node, ``a - b`` for a road, a lift, a keep-out, a shared resource; empty for the
+        whole mission.
     name
         What of it: a limit, a capability, a zone, the second end of a link, the robot type that is let through; empty where nothing is to
         be told apart.

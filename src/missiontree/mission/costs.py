@@ -26,6 +26,7 @@ DEFAULTS: Mapping[ChangeKind, tuple[float, float]] = FrozenMap(
         "come_earlier": (2, 2),
         "raise_in_use": (2, 2),
         "lift_keep_out": (3, 0),
+        "raise_capacity": (3, 2),
         "raise_total": (3, 2),
         "raise_stock": (3, 2),
         "lower_limit": (4, 2),

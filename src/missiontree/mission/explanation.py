@@ -55,6 +55,8 @@ class Cause(Value):
         The numbers, where it is one number that falls short; else None.
     hint
         What to do about it, as far as it is known without trying; empty if nothing is.
+    chain
+        Of a deadline: what follows each other without a pause and shows when it can be met at the earliest; empty if that is not known.
     """
 
     stage: Stage
@@ -64,6 +66,7 @@ class Cause(Value):
     reasons: tuple[Reason, ...] = ()
     shortfall: Shortfall | None = None
     hint: str = ""
+    chain: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rich.console import Group, RenderableType
 from rich.padding import Padding
@@ -12,6 +12,7 @@ from missiontree.mission.explanation import Cause, Explanation, Repair
 from missiontree.reporting.text import HEADLINES, render, words
 
 MOST_REFUSALS = 12
+MOST_STEPS = 8
 CLAIMS = {"smallest_proven": "nothing less would do, proven", "smallest_found": "the least that was found"}
 
 
@@ -34,7 +35,7 @@ def _sections(told: Explanation) -> Iterator[RenderableType]:
     if told.causes:
         yield from _titled("Why it cannot be done")
         for cause in told.causes:
-            yield from _cause(cause)
+            yield from _cause(cause, bool(told.repairs))
     if told.repairs:
         yield from _titled("What would make it possible, cheapest first")
         for repair in told.repairs:
@@ -52,17 +53,29 @@ def _titled(title: str) -> Iterator[RenderableType]:
     yield Text(title, style="bold")
 
 
-def _cause(cause: Cause) -> Iterator[RenderableType]:
+def _cause(cause: Cause, mended: bool) -> Iterator[RenderableType]:
     yield Padding(Text.assemble(("✗", "red"), " ", words(cause.words)), (0, 0, 0, 2))
     details = [reason.message for reason in cause.reasons if reason.message != cause.words]
     more = len(details) - MOST_REFUSALS
     for message in [*details[:MOST_REFUSALS], *([f"… and {more} more; --json lists them all"] if more > 0 else [])]:
         yield Padding(words(message, "dim"), (0, 0, 0, 6))
-    if cause.hint:
+    if cause.chain:
+        yield Padding(words("At the earliest:", "dim"), (0, 0, 0, 6))
+    for step in shortened(cause.chain):
+        yield Padding(words(step, "dim"), (0, 0, 0, 8))
+    if cause.hint and not mended:
         yield Padding(words(cause.hint), (0, 0, 0, 6))
+
+
+def shortened(steps: Sequence[str]) -> list[str]:
+    """Steps of a chain; of a long one the first and the last."""
+    if len(steps) <= MOST_STEPS:
+        return list(steps)
+    half = MOST_STEPS // 2
+    return [*steps[:half], f"… {len(steps) - 2 * half} more …", *steps[-half:]]
 
 
 def _repair(repair: Repair) -> Iterator[RenderableType]:
     yield Padding(Text.assemble((f"{repair.number}.", "bold green"), " ", words(repair.words)), (0, 0, 0, 2))
-    result = f"cost {repair.cost:g}; {CLAIMS[repair.claim]}; utility {repair.utility:g}, {repair.makespan_s:.1f} s"
+    result = f"cost {repair.cost:.4g}; {CLAIMS[repair.claim]}; utility {repair.utility:g}, {repair.makespan_s:.1f} s"
     yield Padding(words(result, "dim"), (0, 0, 0, 5))

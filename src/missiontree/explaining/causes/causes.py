@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from missiontree.explaining.causes.routines import routine_causes
 from missiontree.explaining.shortfall import shortfall_of
 from missiontree.mission.explanation import Cause, Stage
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
+
+EVERYTHING_TRIED = "no_schedule"
+PROVEN = "It is proven that no choice of robots and no order keeps to this and to all other rules."
 
 
 def causes_of(plan: Plan) -> tuple[Cause, ...]:
@@ -28,8 +32,17 @@ def causes_of(plan: Plan) -> tuple[Cause, ...]:
         return of_routines
     if plan.ranking.status == "infeasible":
         return tuple(_told(_first(plan.ranking.reasons), "allocation"))
-    scheduled = [reason for schedule in plan.schedules for reason in schedule.reasons]
-    return tuple(_told(scheduled or plan.reasons, "schedule"))
+    return _unscheduled(plan)
+
+
+def _unscheduled(plan: Plan) -> tuple[Cause, ...]:
+    """What no schedule keeps. That nothing is left to be tried is a proof, and what the best tries broke is the cause."""
+    scheduled = [reason for schedule in plan.schedules for reason in schedule.reasons] or list(plan.reasons)
+    broken = [reason for reason in scheduled if reason.rule != EVERYTHING_TRIED]
+    causes = tuple(_told(broken or scheduled, "schedule"))
+    if len(broken) < len(scheduled) and plan.outcome == "cannot_be_done":
+        return tuple(replace(cause, hint=PROVEN) for cause in causes) if broken else causes
+    return causes
 
 
 def _first(reasons: tuple[Reason, ...]) -> tuple[Reason, ...]:
@@ -39,7 +52,11 @@ def _first(reasons: tuple[Reason, ...]) -> tuple[Reason, ...]:
 
 
 def _told(reasons: Iterable[Reason], stage: Stage) -> Iterator[Cause]:
-    for reason in dict.fromkeys(reason for reason in reasons if reason.severity == "error"):
+    said: set[str] = set()
+    for reason in reasons:
+        if reason.severity != "error" or reason.message in said:
+            continue
+        said.add(reason.message)
         yield Cause(
             stage=stage,
             rule=reason.rule,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from missiontree.explaining.case import Case
-from missiontree.explaining.changes import abilities, parts, robots, terms, times, totals, ways
+from missiontree.explaining.changes import abilities, parts, robots, sharing, terms, times, totals, ways
 from missiontree.explaining.changes.needs import needs_of
 from missiontree.mission.change import Change, ChangeKind
 
@@ -27,6 +27,7 @@ FAMILIES: Mapping[ChangeKind, tuple[Apply, Words]] = {
     "extend_stay": (times.extend_stay, times.extend_stay_words),
     "come_earlier": (times.come_earlier, times.come_earlier_words),
     "raise_in_use": (robots.raise_in_use, robots.raise_in_use_words),
+    "raise_capacity": (sharing.raise_capacity, sharing.raise_capacity_words),
     "raise_total": (totals.raise_total, totals.raise_total_words),
     "raise_stock": (totals.raise_stock, totals.raise_stock_words),
     "raise_limit": (abilities.raise_limit, abilities.raise_limit_words),
@@ -38,15 +39,7 @@ FAMILIES: Mapping[ChangeKind, tuple[Apply, Words]] = {
 }
 """How each kind is applied to a copy of a case, and how it is told as an order."""
 
-SOURCES = (
-    terms.candidates,
-    times.candidates,
-    ways.candidates,
-    robots.candidates,
-    totals.candidates,
-    abilities.candidates,
-    parts.candidates,
-)
+SOURCES = tuple(one.candidates for one in (terms, times, ways, robots, sharing, totals, abilities, parts))
 """What may be changed, an idea each."""
 
 
