@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from missiontree.mission.chain import Step
 from missiontree.mission.change import Change
 from missiontree.mission.explanation import Cause, Repair, Shortfall
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Plan
-from missiontree.reporting.critical.chain import Step, critical_chain
+from missiontree.reporting.critical.chain import critical_chain
 
 QUANTITIES = {"extend_deadline": "deadline_s", "extend_stay": "available_until_s"}
 
