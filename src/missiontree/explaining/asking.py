@@ -1,0 +1,129 @@
+"""
+Questions about a plan that can be carried out, each answered by planning again.
+
+A question is a few words: ``Tele-Robot for Search(cat)``, ``Search(cat) by Tele-Robot``, ``Tele-Robot``, ``3``, ``alternative 3``;
+"why not", "use" and a question mark around them are left aside.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from missiontree.briefing import Request
+from missiontree.errors import InputError
+from missiontree.explaining.explain import request_of
+from missiontree.explaining.naming import nodes_named, team_member
+from missiontree.explaining.rank_asked import why_not_rank
+from missiontree.explaining.robot_asked import why_not_robot
+from missiontree.explaining.without_asked import what_without
+from missiontree.mission.control import Control
+from missiontree.mission.plan import Plan
+from missiontree.mission.why_not import WhyNot
+
+ACCEPTED = "'Tele-Robot for Search(cat)', 'Search(cat) by Tele-Robot', 'Tele-Robot', or 'alternative 3'"
+_AROUND = re.compile(
+    r"^\s*(?:why\s+not\s+)?(?:use\s+|take\s+)?(?:a\s+|an\s+|the\s+)?(.*?)\s*\??\s*$", re.IGNORECASE | re.DOTALL
+)
+_RANK = re.compile(r"(?:alternative|rank|number|no\.?|#)?\s*([0-9]{1,6})", re.IGNORECASE)
+_JOINS = (" for ", " on ", " at ", " in ", " to do ", " do ")
+
+
+def why_not(plan: Plan, question: str, *, control: Control | None = None, request: Request | None = None) -> WhyNot:
+    """
+    Answer why a plan is not otherwise.
+
+    Parameters
+    ----------
+    plan
+        A plan that is delivered, whole or in part.
+    question
+        A robot type (or robot) and what it should do; a robot type alone; or the rank of an alternative.
+    control
+        Time limit and stop token. Default: no limit.
+    request
+        How the plan was made. Default: as the plan says; needed where its estimates are those of an estimator of the user's own.
+
+    Returns
+    -------
+    WhyNot
+        With a plan that is as asked for, checked, if there is one.
+
+    Raises
+    ------
+    InputError
+        If the plan is not delivered, or the question names what there is not, with what is accepted.
+    """
+    request, control = _ready(plan, request), control or Control()
+    found = _AROUND.match(question)
+    asked = found[1] if found is not None else question
+    if (ranked := _RANK.fullmatch(asked.strip())) is not None:
+        return why_not_rank(plan, request, int(ranked[1]), control)
+    robot, node = _parts(asked, plan)
+    return why_not_by(plan, robot, node, control=control, request=request)
+
+
+def why_not_by(
+    plan: Plan, robot: str, node: str = "", *, control: Control | None = None, request: Request | None = None
+) -> WhyNot:
+    """Answer why a robot type, or that of a robot, does not do a node of the mission tree; see :func:`why_not`. Default: any node."""
+    request, control = _ready(plan, request), control or Control()
+    assert plan.tree is not None
+    type_id, _ = team_member(robot, plan.brief.fleet, "--why-not")
+    nodes = nodes_named(node, plan.tree, "--why-not") if node else (plan.tree.root,)
+    return why_not_robot(plan, request, type_id, nodes, control)
+
+
+def without(
+    plan: Plan, names: Sequence[str], *, control: Control | None = None, request: Request | None = None
+) -> WhyNot:
+    """
+    Answer what would change without some robots or robot types; parameters as :func:`why_not` takes them.
+
+    Raises
+    ------
+    InputError
+        If the plan is not delivered, or a name is neither a robot type nor a robot.
+    """
+    request, control = _ready(plan, request), control or Control()
+    found = [team_member(name, plan.brief.fleet, "--without") for name in names]
+    return what_without(plan, request, [robot or type_id for type_id, robot in found], control)
+
+
+def _ready(plan: Plan, request: Request | None) -> Request:
+    """The request behind a plan that can be asked about."""
+    if plan.outcome not in {"delivered", "partial"} or plan.tree is None or plan.grounding is None:
+        raise InputError(
+            f"the plan has no schedule that could be otherwise: its outcome is {plan.outcome.replace('_', ' ')}",
+            accepted="a plan that is delivered",
+            hint="`missiontree explain plan.json` says why it cannot be done.",
+        )
+    return request or request_of(plan)
+
+
+def _parts(asked: str, plan: Plan) -> tuple[str, str]:
+    """Robot and node of a question, whichever way round they stand."""
+    splits = [(asked, "")]
+    for join in _JOINS:
+        head, found, tail = asked.partition(join)
+        splits += [(head, tail)] if found else []
+    head, found, tail = asked.rpartition(" by ")
+    splits += [(tail, head)] if found else []
+    for robot, node in splits:
+        try:
+            team_member(_bare(robot), plan.brief.fleet, "--why-not")
+        except InputError:
+            continue
+        return _bare(robot), _bare(node)
+    robot = splits[1][0] if len(splits) > 1 else asked
+    try:
+        team_member(_bare(robot), plan.brief.fleet, "--why-not")
+    except InputError as error:
+        raise InputError(
+            error.message, where="--why-not", accepted=f"{ACCEPTED}; robots are {error.accepted}", hint=error.hint
+        ) from error
+    return robot, ""
+
+
+def _bare(name: str) -> str:
+    return re.sub(r"^(?:the|a|an)\s+", "", name.strip(), flags=re.IGNORECASE)
