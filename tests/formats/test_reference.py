@@ -50,4 +50,4 @@ def test_examples_load_and_survive(kind: str, text: str) -> None:
 
 
 def test_there_is_an_example_of_each_file_that_people_meet() -> None:
-    assert {kind for kind, _ in EXAMPLES} == {"fleet", "scene", "routines", "mission", "plan", "explanation"}
+    assert {kind for kind, _ in EXAMPLES} == {"fleet", "scene", "routines", "mission", "plan", "why_not", "explanation"}

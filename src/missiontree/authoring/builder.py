@@ -82,14 +82,10 @@ class TreeBuilder:
     ----------
     brief
         The mission, with the fleet, the routines and the scene that calls may speak of.
-    by_anybody
-        Whether routines that no robot of the fleet can do are taken into the tree, to see the whole mission; no plan comes of such
-        a tree. Default false.
     """
 
-    def __init__(self, brief: MissionBrief, by_anybody: bool = False) -> None:
+    def __init__(self, brief: MissionBrief) -> None:
         self.brief = brief
-        self.by_anybody = by_anybody
         self.state = State()
 
     @property
@@ -100,7 +96,7 @@ class TreeBuilder:
     @property
     def cast(self) -> Cast:
         """The entities that calls may name."""
-        return Cast(self.brief, self.tree.entities if self.tree is not None else (), self.by_anybody)
+        return Cast(self.brief, self.tree.entities if self.tree is not None else ())
 
     @cached_property
     def offers(self) -> dict[str, Offers]:

@@ -26,8 +26,6 @@ class Desk:
     ----------
     brief
         The mission.
-    by_anybody
-        As :class:`TreeBuilder` takes it. Default false.
     reading
         How the mission was understood, a line for each clause or goal.
     said
@@ -37,7 +35,6 @@ class Desk:
     """
 
     brief: MissionBrief
-    by_anybody: bool = False
     box: ToolBox = field(init=False)
     transcript: Transcript = field(init=False)
     reading: tuple[str, ...] = ()
@@ -46,7 +43,7 @@ class Desk:
     calls: int = 0
 
     def __post_init__(self) -> None:
-        self.box = ToolBox(TreeBuilder(self.brief, self.by_anybody))
+        self.box = ToolBox(TreeBuilder(self.brief))
         self.transcript = Transcript(self.brief, Origin("offline"))
 
     def call(self, name: str, arguments: Mapping[str, Any]) -> Answer:

@@ -24,13 +24,10 @@ class Cast:
         The mission, with its scene if it has one.
     introduced
         Entities introduced by earlier calls.
-    by_anybody
-        Whether calls may name routines that no robot of the fleet can do. Default false.
     """
 
-    def __init__(self, brief: MissionBrief, introduced: tuple[Entity, ...], by_anybody: bool = False) -> None:
+    def __init__(self, brief: MissionBrief, introduced: tuple[Entity, ...]) -> None:
         self.brief = brief
-        self.by_anybody = by_anybody
         self.introduced = introduced
         self.added: list[Entity] = []
         self.assumptions: list[Reason] = []

@@ -26,7 +26,7 @@ from missiontree.mission.tree import LinkKind
 Call = tuple[str, tuple[str, ...], tuple[str, ...]]
 
 
-def author_formal(brief: MissionBrief, methods: MethodLibrary | None = None, by_anybody: bool = False) -> Authored:
+def author_formal(brief: MissionBrief, methods: MethodLibrary | None = None) -> Authored:
     """
     Have the tree of a mission built whose goals are stated formally.
 
@@ -36,15 +36,13 @@ def author_formal(brief: MissionBrief, methods: MethodLibrary | None = None, by_
         The mission.
     methods
         The mission methods; default: those that ship with missiontree.
-    by_anybody
-        Whether routines that no robot can do are taken into the tree. Default false.
 
     Returns
     -------
     Authored
         ``complete``, ``cannot_be_done`` or ``incomplete``; ``reading`` has a line for each goal.
     """
-    desk = Desk(brief, by_anybody)
+    desk = Desk(brief)
     stated = Statements(brief, methods or built_in_methods())
     try:
         goals = [stated.understood(goal, str(number)) for number, goal in enumerate(brief.goals, 1)]

@@ -30,7 +30,7 @@ from missiontree.mission.reason import Reason
 WAY_OUT = "Say what is to be done, such as 'Find the keys, then bring them to Anna', set a model, or add a method."
 
 
-def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None, by_anybody: bool = False) -> Authored:
+def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None) -> Authored:
     """
     Have a mission tree built without a model.
 
@@ -40,8 +40,6 @@ def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None, by
         The mission.
     methods
         The mission methods; default: those that ship with missiontree.
-    by_anybody
-        Whether routines that no robot can do are taken into the tree. Default false.
 
     Returns
     -------
@@ -50,7 +48,7 @@ def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None, by
     """
     library = methods or built_in_methods()
     words = words_of_text(brief.text[: MAX_WORDS * 60])
-    desk = Desk(brief, by_anybody)
+    desk = Desk(brief)
     if not words:
         empty = Reason(rule="empty_mission", message="The mission is empty: there is nothing to be done.", hint=WAY_OUT)
         return desk.ended("incomplete", (empty,))

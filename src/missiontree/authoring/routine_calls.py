@@ -67,7 +67,7 @@ def read_routine_call(name: str, given: Any, what: str, cast: Cast) -> RoutineCa
         routine, entities, brief.fleet, cast.scene, brief.routines, resources, brief.check_kinds, brief.terms
     )
     call = RoutineCall(routine, entities, resources, offers)
-    if not offers.able and not cast.by_anybody:
+    if not offers.able:
         raise _nobody(call)
     return call
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from missiontree.cli import options
+from missiontree.cli.asking import Asked, answer, tell
 from missiontree.cli.exits import OUTCOMES
 from missiontree.cli.files import refuse_unwritable
 from missiontree.cli.gathering import author_named, budgets_from, gather
@@ -19,6 +20,7 @@ from missiontree.cli.watching import authored
 from missiontree.errors import InputError
 
 if TYPE_CHECKING:
+    from missiontree.authoring.outcome import Authored
     from missiontree.mission.explanation import Explanation
     from missiontree.mission.plan import Plan
 
@@ -62,7 +64,31 @@ def command(
         typer.Option("--repair", metavar="N", help="Apply repair N to a copy, and show the plan that results."),
     ] = None,
     out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE", help="Write the plan of --repair to this file, as JSON.")
+        Path | None,
+        typer.Option(
+            "--out", metavar="FILE", help="Write the plan of --repair, or of a question, to this file, as JSON."
+        ),
+    ] = None,
+    why_not: Annotated[
+        str | None,
+        typer.Option(
+            "--why-not",
+            metavar="QUESTION",
+            help="Ask of a plan why it is not otherwise: 'Tele-Robot for Search(cat)', 'Tele-Robot', or 'alternative 3'.",
+        ),
+    ] = None,
+    why_not_robot: Annotated[
+        str | None,
+        typer.Option(
+            "--why-not-robot", metavar="TYPE", help="Why does no robot of this type do it? With --for: that part."
+        ),
+    ] = None,
+    for_part: Annotated[
+        str | None, typer.Option("--for", metavar="PART", help="Of --why-not-robot: a part of the mission, by name.")
+    ] = None,
+    why_not_rank: Annotated[
+        int | None,
+        typer.Option("--why-not-rank", metavar="N", help="Why is alternative N not the first, and what does it lose?"),
     ] = None,
     time_limit: options.TimeLimit = None,
     seed: options.Seed = None,
@@ -70,16 +96,24 @@ def command(
     quiet: options.Quiet = False,
     colour: options.Colour = None,
 ) -> int:
-    """Say why a mission cannot be done and what would make it possible; a plan file may stand in the mission's place."""
-    from missiontree.explaining.explain import explain_authored, explained, request_of
-    from missiontree.explaining.pricing import priced
+    """
+    Say why a mission cannot be done and what would make it possible; a plan file may stand in the mission's place.
 
-    if out is not None and repair is None:
-        raise InputError("--out is given without --repair", accepted="--repair N, whose plan is written")
+    Of a plan that is delivered: why it is not otherwise (--why-not), and what would change without a robot (--without).
+    """
+    from missiontree.explaining.explain import explained, request_of
+    from missiontree.explaining.pricing import priced
+    from missiontree.planner import plan_authored
+
+    plan = plan_given(mission)
+    asked = Asked(why_not, why_not_robot, for_part, why_not_rank, tuple(without or ()) if plan is not None else ())
+    if out is not None and repair is None and not asked:
+        raise InputError("--out is given without --repair", accepted="--repair N or --why-not, whose plan is written")
+    if asked and repair is not None:
+        raise InputError("--repair is given beside a question", accepted="one of them")
     if most < 1:
         raise InputError(f"--repairs {most}", accepted="a whole number of at least 1")
     refuse_unwritable(out)
-    plan = plan_given(mission)
     if plan is not None:
         request = request_of(plan)
     else:
@@ -110,19 +144,26 @@ def command(
                 remark(f"using {source}", colour)
     request = replace(request, costs=priced(costs or (), request.costs))
     made = authored(request, quiet or as_json, colour) if plan is None else None
+    if asked:
+        with controlled(time_limit, request.seed) as control:
+            known_plan = plan if plan is not None else plan_authored(request, _authored(made), control)
+            told = answer(asked, known_plan, request, control)
+        return tell(told, asked, out, as_json, colour)
     with controlled(time_limit, request.seed) as control:
         most = max(most, repair or 0)
-        if plan is not None:
-            known = explained(plan, request, control, most)
-        else:
-            assert made is not None, "a mission that is no plan was authored"
-            known = explain_authored(request, made, control, most)
+        whole = plan if plan is not None else plan_authored(request, _authored(made), control)
+        known = explained(whole, request, control, most)
         repaired = None if repair is None else known.repaired(repair, control)
     if repaired is None:
         show_explanation(known.told, as_json, colour)
         return OUTCOMES[known.told.outcome]
     deliver(repaired, out, None, as_json, quiet, colour, False)
     return OUTCOMES[repaired.outcome]
+
+
+def _authored(made: Authored | None) -> Authored:
+    assert made is not None, "a mission that is no plan was authored"
+    return made
 
 
 def plan_given(mission: str | None) -> Plan | None:
@@ -151,6 +192,7 @@ def show_explanation(told: Explanation, as_json: bool, colour: bool | None) -> N
 
     if as_json:
         repairs = tuple(replace(repair, plan=None) for repair in told.repairs)
-        typer.echo(write_text(replace(told, plan=None, repairs=repairs), "explanation"), nl=False)
+        nearest = None if told.nearest is None else replace(told.nearest, plan=None)
+        typer.echo(write_text(replace(told, plan=None, repairs=repairs, nearest=nearest), "explanation"), nl=False)
     else:
         show(explanation_view(told), colour)

@@ -119,10 +119,26 @@ def _parts(asked: str, plan: Plan) -> tuple[str, str]:
     try:
         team_member(_bare(robot), plan.brief.fleet, "--why-not")
     except InputError as error:
+        _refuse_part_alone(_bare(asked), plan)
         raise InputError(
             error.message, where="--why-not", accepted=f"{ACCEPTED}; robots are {error.accepted}", hint=error.hint
         ) from error
     return robot, ""
+
+
+def _refuse_part_alone(asked: str, plan: Plan) -> None:
+    """Say so if a part of the mission is named and nobody who should do it."""
+    assert plan.tree is not None
+    try:
+        node = nodes_named(asked, plan.tree, "--why-not")[0]
+    except InputError:
+        return
+    types = ", ".join(kind.label or kind.id for kind in plan.brief.fleet.types)
+    raise InputError(
+        f"{node.label} is a part of the mission; who should do it is not said",
+        where="--why-not",
+        accepted=f"'TYPE for {node.label}', with one of {types}",
+    )
 
 
 def _bare(name: str) -> str:

@@ -21,6 +21,7 @@ from missiontree.explaining.case import Case
 from missiontree.explaining.causes.causes import causes_of
 from missiontree.explaining.causes.closer import closer
 from missiontree.explaining.causes.routines import routine_causes
+from missiontree.explaining.nearest import nearest_of
 from missiontree.explaining.repairing import Repairs, planned
 from missiontree.explaining.understood import understood
 from missiontree.mission.control import Control
@@ -146,7 +147,15 @@ def explained(plan: Plan, request: Request, control: Control, most: int = MOST_R
     repairs = Repairs(request, case, known, control)
     found = repairs.find(max(1, most))
     causes = tuple(closer(cause, found) for cause in causes)
-    told = replace(told, causes=causes, repairs=found, cheapest=repairs.cheapest, tried=repairs.looked_at)
+    nearest = nearest_of(plan, request, case.tree, control)
+    told = replace(
+        told,
+        causes=causes,
+        repairs=found,
+        cheapest=repairs.cheapest,
+        tried=repairs.looked_at,
+        nearest=nearest,
+    )
     return Explained(told, request, case)
 
 

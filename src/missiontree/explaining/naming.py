@@ -24,23 +24,11 @@ def nodes_named(name: str, tree: MissionTree, where: str) -> tuple[MissionNode, 
         return (tree.by_id[name],)
     asked = _loosely(name)
     for key in (lambda node: _names(node, tree), lambda node: (node.routine or "",)):
-        found = tuple(node for node in tree.nodes if any(_loosely(one) == asked for one in key(node)))
+        found = tuple(node for node in tree.nodes if asked and any(_loosely(one) == asked for one in key(node)))
         if found:
             return found
     known = [node.label for node in tree.nodes[1:]] or [tree.root.label]
     raise _unknown(name, "no part of the mission", known, where)
-
-
-def types_named(name: str, fleet: Fleet, where: str) -> tuple[str, ...]:
-    """
-    Ids of the robot types that a name means: a type by id or label, or that of a robot.
-
-    Raises
-    ------
-    InputError
-        If there is none, with those that look like it.
-    """
-    return (team_member(name, fleet, where)[0],)
 
 
 def team_member(name: str, fleet: Fleet, where: str) -> tuple[str, str]:
@@ -63,10 +51,12 @@ def team_member(name: str, fleet: Fleet, where: str) -> tuple[str, str]:
 
 
 def _one_of(name: str, known: Mapping[str, Iterable[str]]) -> str | None:
-    """The id whose names include this one; by letter, else loosely if that is one alone."""
+    """The id whose names include this one; by letter, else loosely or by one word of them, if that is one alone."""
     if name in known:
         return name
-    found = [one for one, names in known.items() if any(_loosely(each) == _loosely(name) for each in names)]
+    asked = _loosely(name)
+    found = [one for one, names in known.items() if any(_loosely(each) == asked for each in names)]
+    found = found or [one for one, names in known.items() if any(asked in _loosely(each).split() for each in names)]
     return found[0] if len(found) == 1 else None
 
 

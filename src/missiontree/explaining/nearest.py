@@ -21,19 +21,25 @@ from missiontree.checking import check
 from missiontree.errors import InternalError
 from missiontree.explaining.relaxed import Fixed, Relaxed
 from missiontree.explaining.weighing import in_steps, parts_of, topmost, weights_of, without_parts
-from missiontree.explaining.whole import wholly_authored
+from missiontree.explaining.whole import as_given, wholly_authored
 from missiontree.mission.control import Control
+from missiontree.mission.explanation import Nearest
 from missiontree.mission.partial import LeftOut, Partial
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 from missiontree.mission.tree import MissionTree
 from missiontree.planner import plan_authored
+from missiontree.reporting.left_out import known_of_larger, parts_left_out
 
 MOST_EXAMINED = 64
 """Parts of the mission that are planned before the search is given up."""
 
 SHARE = 0.3
 """Of the time that is left, for one question or one plan."""
+
+
+UNDONE = ("cannot_be_done", "exhausted")
+"""Outcomes of missions that may still be done in part."""
 
 
 def nearest_part(whole: Plan, request: Request, authored: Authored, control: Control) -> Plan | None:
@@ -60,13 +66,29 @@ def nearest_part(whole: Plan, request: Request, authored: Authored, control: Con
     InputError
         If ``parts`` of the mission name what is no part of it.
     """
-    if whole.outcome not in {"cannot_be_done", "exhausted"} or (made := wholly_authored(request, authored)) is None:
+    if whole.outcome not in UNDONE or (made := wholly_authored(request, authored)) is None:
         return None
-    if made is not authored:
+    if whole.grounding is None:
         whole = plan_authored(request, made, control.part(SHARE))
     if made.tree is None or whole.grounding is None:
         return None
     return _Search(whole, request, made, made.tree, control).run()
+
+
+def nearest_of(whole: Plan, request: Request, tree: MissionTree, control: Control) -> Nearest | None:
+    """The largest part of a mission whose whole tree is known, in words and with its plan; None if there is none."""
+    if whole.outcome not in UNDONE:
+        return None
+    found = nearest_part(whole, request, as_given(tree, request.brief), control)
+    if found is None or found.partial is None:
+        return None
+    left_out = [one.message for one in parts_left_out(found.partial)]
+    return Nearest(
+        words=" ".join((known_of_larger(found.partial), *left_out)),
+        dropped=tuple(one.node for one in found.partial.left_out),
+        proven=found.partial.claim == "proven",
+        plan=found,
+    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -44,10 +44,16 @@ def why_not_rank(plan: Plan, request: Request, rank: int, control: Control) -> W
     assert best is not None
     alternative, schedule, proven = _of_rank(plan, request, rank, control)
     question = f"Why not alternative {rank}?"
-    own = {"utility": best[0].utility, "makespan_s": best[1].makespan_s}
     if alternative.choices == best[0].choices:
-        words = (f"Alternative {rank} is the best that has a schedule; it is the one that the plan shows first.",)
-        return WhyNot(question=question, verdict="same", claim="proven" if proven else "found", words=words, **own)
+        first = f"Alternative {rank} is the best that has a schedule; it is the one that the plan shows first."
+        return WhyNot(
+            question=question,
+            verdict="same",
+            claim="proven" if proven else "found",
+            words=(first,),
+            utility=best[0].utility,
+            makespan_s=best[1].makespan_s,
+        )
     moved = moved_between(tasks_of(plan, best[0]), tasks_of(plan, alternative))
     if schedule.status not in WORKING:
         impossible = schedule.status == "infeasible"
@@ -60,7 +66,8 @@ def why_not_rank(plan: Plan, request: Request, rank: int, control: Control) -> W
             reasons=schedule.reasons,
             asked_utility=alternative.utility,
             moved=moved,
-            **own,
+            utility=best[0].utility,
+            makespan_s=best[1].makespan_s,
         )
     compared = side_by_side(
         best[0].utility, alternative.utility, best[1].makespan_s, schedule.makespan_s, plan.brief.aim.worth
@@ -80,7 +87,8 @@ def why_not_rank(plan: Plan, request: Request, rank: int, control: Control) -> W
         asked_utility=alternative.utility,
         asked_makespan_s=schedule.makespan_s,
         moved=moved,
-        **own,
+        utility=best[0].utility,
+        makespan_s=best[1].makespan_s,
     )
 
 

@@ -53,7 +53,14 @@ def why_not_robot(plan: Plan, request: Request, type_id: str, nodes: Sequence[Mi
     if done:
         who = _by_whom(plan, best[1], done[0], type_id)
         words = (f"{label} does {_named(plan, done[0])} in alternative {best[0].rank} already{who}.",)
-        return WhyNot(question=question, verdict="same", claim="proven", words=words, **_own(*best))
+        return WhyNot(
+            question=question,
+            verdict="same",
+            claim="proven",
+            words=words,
+            utility=best[0].utility,
+            makespan_s=best[1].makespan_s,
+        )
     roles = [(node, forbidden) for node in routines for forbidden in _ways_with(tree, node, type_id)]
     if not roles:
         return _refused(plan, question, type_id, what, routines, best)
@@ -73,10 +80,6 @@ def _order(found: Found) -> tuple[float, float]:
     assert found.alternative is not None
     assert found.schedule is not None
     return -found.alternative.utility, found.schedule.makespan_s
-
-
-def _own(alternative: Alternative, schedule: Schedule) -> dict[str, float]:
-    return {"utility": alternative.utility, "makespan_s": schedule.makespan_s}
 
 
 def _label(plan: Plan, type_id: str) -> str:
@@ -171,7 +174,13 @@ def _refused(
     )
     words = [f"{_label(plan, type_id)} cannot do {what}; it is not offered at all."]
     return WhyNot(
-        question=question, verdict="refused", claim="proven", words=tuple(words), reasons=reasons, **_own(*best)
+        question=question,
+        verdict="refused",
+        claim="proven",
+        words=tuple(words),
+        reasons=reasons,
+        utility=best[0].utility,
+        makespan_s=best[1].makespan_s,
     )
 
 
@@ -190,7 +199,8 @@ def _in_vain(
         claim="proven" if proven else "found",
         words=(words,),
         reasons=reasons,
-        **_own(*best),
+        utility=best[0].utility,
+        makespan_s=best[1].makespan_s,
     )
 
 
@@ -233,7 +243,8 @@ def _beside(
         asked_makespan_s=ends.makespan_s,
         moved=moved,
         plan=plan_with(plan, found, notice),
-        **_own(*best),
+        utility=best[0].utility,
+        makespan_s=best[1].makespan_s,
     )
 
 

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from missiontree.authoring.author import authored_from_tree
-from missiontree.authoring.formal import author_formal
-from missiontree.authoring.methods.method import load_methods
-from missiontree.authoring.offline import author_offline
 from missiontree.authoring.outcome import Authored
 from missiontree.briefing import Request
+from missiontree.explaining.understood import understood
+from missiontree.mission.brief import MissionBrief
+from missiontree.mission.tree import MissionTree
 
 
 def wholly_authored(request: Request, authored: Authored) -> Authored | None:
@@ -26,21 +24,27 @@ def wholly_authored(request: Request, authored: Authored) -> Authored | None:
     Returns
     -------
     Authored or None
-        What was authored, if its tree is complete. Where an author without a model declared that the mission cannot be done, the same
-        author is asked once more for all of the tree, which then stands as one that was handed in. None where there is no such
-        tree: a language model is not asked again.
+        What was authored, if its tree is complete. Where an author without a model declared that the mission cannot be done, what the
+        same author builds for a team that can do everything, as a tree that was handed in. None where there is no such tree: a
+        language model is not asked again.
     """
     if authored.status == "complete":
         return authored
     if authored.status != "cannot_be_done" or authored.author != "offline":
         return None
-    author = author_formal if request.brief.goals else author_offline
-    again = author(request.brief, load_methods(request.methods), by_anybody=True)
-    if again.status != "complete" or again.tree is None:
-        return None
-    whole = authored_from_tree(again.tree, request.brief)
-    if whole.status != "complete":
-        return None
-    return replace(
-        whole, reading=again.reading, notices=(*whole.notices, *again.notices), assumptions=again.assumptions
+    again = understood(request)
+    return None if again is None or again.tree is None else as_given(again.tree, request.brief, again)
+
+
+def as_given(tree: MissionTree, brief: MissionBrief, told: Authored | None = None) -> Authored:
+    """A tree as one that was handed in, whoever can do what; with the reading and the assumptions of whoever built it."""
+    found = authored_from_tree(tree, brief)
+    notices = (*found.notices, *(told.notices if told is not None else ()))
+    return Authored(
+        status="complete",
+        tree=tree,
+        notices=tuple(dict.fromkeys(notices)),
+        assumptions=told.assumptions if told is not None else (),
+        reading=told.reading if told is not None else (),
+        author="given",
     )

@@ -15,7 +15,7 @@ from missiontree.explaining.tasks import moved_between, tasks_of
 from missiontree.mission.control import Control
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
-from missiontree.mission.why_not import WhyNot
+from missiontree.mission.why_not import Verdict, WhyNot
 from missiontree.planner import plan_authored
 from missiontree.reporting.left_out import known_of_larger, parts_left_out
 
@@ -38,15 +38,21 @@ def what_without(plan: Plan, request: Request, names: Sequence[str], control: Co
     best = best_of(plan)
     assert best is not None
     assert plan.tree is not None
-    shown = " and ".join(names)
+    shown = " and ".join(_label(plan, name) for name in names)
     question = f"What would change without {shown}?"
-    own = {"utility": best[0].utility, "makespan_s": best[1].makespan_s}
     try:
         brief = replace(plan.brief, without=tuple(dict.fromkeys((*plan.brief.without, *names))))
     except ValueError as error:
         reason = Reason(rule="without_refused", message=_sentence(str(error)), robot=names[0])
-        words = (f"Without {shown} the mission cannot even be stated.",)
-        return WhyNot(question=question, verdict="refused", claim="proven", words=words, reasons=(reason,), **own)
+        return WhyNot(
+            question=question,
+            verdict="refused",
+            claim="proven",
+            words=(f"Without {shown} the mission cannot even be stated.",),
+            reasons=(reason,),
+            utility=best[0].utility,
+            makespan_s=best[1].makespan_s,
+        )
     notice = Reason(
         rule="asked_without",
         message=f"This plan is one without {shown}, as it was asked for.",
@@ -74,7 +80,8 @@ def what_without(plan: Plan, request: Request, names: Sequence[str], control: Co
         asked_makespan_s=other[1].makespan_s,
         moved=moved,
         plan=made,
-        **own,
+        utility=best[0].utility,
+        makespan_s=best[1].makespan_s,
     )
 
 
@@ -106,14 +113,14 @@ def _in_vain(
     if part is not None and part.partial is not None:
         words.append(known_of_larger(part.partial))
         words += [reason.message for reason in parts_left_out(part.partial)]
-    verdict = "part_only" if part is not None else "impossible" if proven else "undecided"
+    verdict: Verdict = "part_only" if part is not None else "impossible" if proven else "undecided"
     found = best_of(part) if part is not None else None
     return WhyNot(
         question=question,
-        verdict=verdict,  # type: ignore[arg-type]  # one of the three
+        verdict=verdict,
         claim="proven" if proven else "found",
         words=tuple(words),
-        reasons=made.reasons,
+        reasons=tuple(reason for reason in (part or made).reasons if reason.rule != "left_out"),
         utility=best[0].utility,
         makespan_s=best[1].makespan_s,
         asked_utility=found[0].utility if found is not None else None,
@@ -123,6 +130,12 @@ def _in_vain(
         else (),
         plan=part,
     )
+
+
+def _label(plan: Plan, name: str) -> str:
+    """A type by its label, a robot by its name."""
+    kind = plan.brief.fleet.by_id.get(name)
+    return kind.label or kind.id if kind is not None else name
 
 
 def _sentence(text: str) -> str:

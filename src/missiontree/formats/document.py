@@ -31,6 +31,7 @@ from missiontree.mission.plan import Plan
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.tree import MissionTree
+from missiontree.mission.why_not import WhyNot
 
 __all__ = ["KINDS", "json_schema", "read_as", "read_file", "read_text", "to_plain", "write_text"]
 
@@ -49,6 +50,7 @@ KINDS: dict[str, type[Any]] = {
     "plan": Plan,
     "why_so_long": WhySoLong,
     "explanation": Explanation,
+    "why_not": WhyNot,
 }
 """Name of each kind of document to its value. All are in version 1."""
 

@@ -116,13 +116,13 @@ class Nearest(Value):
     proven
         Whether no part of greater weight can be done.
     plan
-        The plan of that part.
+        The plan of that part; None where it is not told.
     """
 
     words: str
     dropped: tuple[Id, ...]
     proven: bool
-    plan: Plan
+    plan: Plan | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -44,6 +44,11 @@ def _sections(told: Explanation) -> Iterator[RenderableType]:
             yield Padding(
                 Text("No single change that costs less than number 1 is enough; proven.", style="dim"), (0, 0, 0, 2)
             )
+    if told.nearest is not None:
+        yield from _titled("What can be done all the same")
+        known = "" if told.nearest.proven else " (as far as it was looked for)"
+        yield Padding(words(f"{told.nearest.words}{known}"), (0, 0, 0, 2))
+        yield Padding(words("`missiontree plan … --partial` plans it.", "dim"), (0, 0, 0, 2))
     for notice in told.notices:
         yield Padding(Text.assemble(("+", "cyan"), " ", words(notice.message)), (0, 0, 0, 2))
 
