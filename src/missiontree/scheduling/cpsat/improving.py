@@ -20,11 +20,15 @@ from missiontree.scheduling.cpsat.settings import Settings
 from missiontree.scheduling.cpsat.unsupported import TimeIsUpError, UnsupportedError
 from missiontree.scheduling.cpsat.verify import broken
 from missiontree.scheduling.enumeration.trying import Trying
+from missiontree.scheduling.neighbourhood.search import regrouped
 from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.replay import replay
 from missiontree.scheduling.writing import by_bound, found_schedule, impossible_schedule, unknown_schedule
 
 WRITING = 0.3  # what it takes to verify, replay and write an answer, in units of what it took to build the model
+MANY_ROLES = 25  # from which on solving the model as a whole seldom helps
+FEW_ROUNDS = 200  # of regrouping in smaller missions
+REGROUPING = 0.6  # of the time left, at most
 SHARE = 0.85  # of the time left, for the makespan; half of the rest for its proof
 
 
@@ -67,7 +71,9 @@ class Improving:
         proof = self._tried(self._settings.first_steps)
         if proof is not None and (self._best is None or not self._settings.tidy):
             return self._written(proof)
-        formulation = self._formulation()
+        if proof is None:
+            self._regroup()
+        formulation = None if self._met() else self._formulation()
         if formulation is None:
             return self._written(proof)
         if proof is None and self._least_makespan(formulation):
@@ -75,6 +81,30 @@ class Improving:
         if self._best is not None and self._settings.tidy and (proof is not None or self._closed()):
             self._tidy(formulation)
         return self._written(proof)
+
+    def _met(self) -> bool:
+        """Whether the best meets a bound of our own, and nothing is to be tidied."""
+        makespan = None if self._best is None else self._best.makespan
+        return makespan == self._problem.bounds.makespan and not self._settings.tidy
+
+    def _regroup(self) -> None:
+        """Search large neighbourhoods of the draft: long where the model of the mission is too large to be solved, else shortly."""
+        if self._best is None:
+            return
+        roles, given = len(self._problem.graph.roles), self._settings.regrouping
+        rounds = FEW_ROUNDS if roles < MANY_ROLES else None
+        if given is not None:
+            rounds = min(FEW_ROUNDS, given // max(1, roles))
+        turn = self._control.clock() + REGROUPING * self._left_s()
+
+        def over() -> bool:
+            return self._control.clock() >= turn or self._over()
+
+        self._best = regrouped(self._problem, self._best, self._control.seed, rounds, over, self._shorter)
+
+    def _shorter(self, draft: Draft) -> None:
+        self._answers += 1
+        self._control.report(Progress("scheduling", self._answers, 1, seconds(self._bound), seconds(draft.makespan)))
 
     def _closed(self) -> bool:
         """Whether nothing is shorter than the best, by whoever's word."""

@@ -22,6 +22,9 @@ class Settings:
         Whether travel and the sum of ends are made small, too, once the makespan is known to be least. Default true.
     first_steps, last_steps
         Steps of trying everything out before the solver is asked, and afterwards, if its word is not confirmed.
+    regrouping
+        Limit of the large neighbourhood search: its rounds times the roles of the mission. None means that time alone limits it in missions
+        of many roles. Default None.
     """
 
     longest_s: float
@@ -30,3 +33,4 @@ class Settings:
     tidy: bool = True
     first_steps: int = 1_000
     last_steps: int = 20_000
+    regrouping: int | None = None

@@ -1,0 +1,201 @@
+"""
+Large neighbourhood search over the tours of robots, for missions that are too large for one constraint model.
+
+A few roles, one of them on a longest path, are taken out of their tours and put in again one by one where the longest path through them
+is shortest ("ruin and recreate": Schrimpf, Schneider, Stamm-Wilbrandt and Dueck, Journal of Computational Physics 159, 2000; Shaw 1998).
+Where a role may go, and how long the path through it would be, is told by longest paths before and after. What is not much worse than what
+was held some steps ago is held (late acceptance: Burke and Bykov, European Journal of Operational Research 258, 2017). Budgets, shared
+resources and deadlines are left out of that; whatever looks better than the best is played through with all rules, and counts only then.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from random import Random
+
+from missiontree.scheduling.course import Course
+from missiontree.scheduling.neighbourhood.network import FAR, Network, Paths
+from missiontree.scheduling.neighbourhood.stops import Stops, stops_of
+from missiontree.scheduling.problem import Draft, Problem
+from missiontree.scheduling.replay import replay
+
+FEWEST_ROLES = 6
+MOST_OUT = 7
+"""Roles taken out at once."""
+MEMORY = 40
+"""Steps back that are compared with."""
+NOISE = 0.03
+"""By how much places are misjudged on purpose, as a share of the makespan."""
+REFUSED = 30
+"""Better tours in a row that break another rule, after which the search ends."""
+
+Tours = dict[str, list[int]]
+
+
+def regrouped(
+    problem: Problem,
+    draft: Draft,
+    seed: int,
+    rounds: int | None,
+    ended: Callable[[], bool],
+    told: Callable[[Draft], None],
+) -> Draft:
+    """
+    The best draft that is found; the one handed in if none is better.
+
+    Parameters
+    ----------
+    problem, draft
+        The mission and a schedule of it.
+    seed
+        Of what is taken out.
+    rounds
+        How often something is taken out; None: until it is ended.
+    ended
+        Whether to stop.
+    told
+        Told of each better draft.
+    """
+    stops = stops_of(problem)
+    if stops is None or len(stops.of) < FEWEST_ROLES:
+        return draft
+    return _Search(problem, draft, stops, seed, told).best(rounds, ended)
+
+
+class _Search:
+    def __init__(self, problem: Problem, draft: Draft, stops: Stops, seed: int, told: Callable[[Draft], None]) -> None:
+        self._problem, self._draft, self._stops, self._told = problem, draft, stops, told
+        self._network = Network(problem, stops)
+        self._luck = Random(seed)  # noqa: S311 - luck for a search, not for secrets
+        staffing = problem.staffing
+        self._group = staffing.group_of
+        self._loose = [role for role in stops.of if len(staffing.members[self._group[role]]) == 1]
+        self._robots = {kind.id: [robot.id for robot in kind.members] for kind in problem.fleet.types}
+        self._refused = 0
+
+    def best(self, rounds: int | None, ended: Callable[[], bool]) -> Draft:
+        """Search."""
+        tours = self._tours()
+        paths = self._network.measured(tours)
+        if paths is None or not self._loose:
+            return self._draft
+        cost = self._cost(paths)
+        memory, done = [cost] * MEMORY, 0
+        while (rounds is None or done < rounds) and not ended() and self._refused < REFUSED:
+            if self._draft.makespan == self._problem.bounds.makespan:
+                break
+            done += 1
+            trial = self._recreated({robot: list(roles) for robot, roles in tours.items()}, paths)
+            measured = self._network.measured(trial) if trial is not None else None
+            if trial is None or measured is None:
+                continue
+            found = self._cost(measured)
+            if measured.makespan < self._draft.makespan and not self._take(trial):
+                continue
+            if found <= cost or found <= memory[done % MEMORY]:
+                tours, paths, cost = trial, measured, found
+            memory[done % MEMORY] = min(cost, memory[done % MEMORY])
+        return self._draft
+
+    def _tours(self) -> Tours:
+        start = {one.leaf: (one.start, one.end) for one in self._draft.done}
+        leaves = self._problem.graph.roles
+        tours: Tours = {robot: [] for robots in self._robots.values() for robot in robots}
+        for role in sorted(leaves, key=lambda role: (start[leaves[role][0]][0], start[leaves[role][-1]][1], role)):
+            tours[self._draft.robot_of[role]].append(role)
+        return tours
+
+    def _cost(self, paths: Paths) -> float:
+        """The makespan, and a little of when roles end, so that robots who are done sooner count."""
+        ends = [paths.head[2 * stop.last + 1] for stop in self._stops.of.values()]
+        return paths.makespan + 0.05 * sum(ends) / len(ends)
+
+    def _take(self, tours: Tours) -> bool:
+        """Play it through with all rules; whether it is better in truth."""
+        robots = {role: robot for robot, roles in tours.items() for role in roles}
+        draft = replay(self._problem, Course(robots, tours))
+        if draft is None or draft.makespan >= self._draft.makespan:
+            self._refused += 1
+            return False
+        self._refused, self._draft = 0, draft
+        self._told(draft)
+        return True
+
+    # --- out and in again -------------------------------------------------------------------------------------------
+
+    def _recreated(self, tours: Tours, paths: Paths) -> Tours | None:
+        out = self._chosen(paths)
+        gone = set(out)
+        for robot, roles in tours.items():
+            tours[robot] = [role for role in roles if role not in gone]
+        self._luck.shuffle(out)
+        for role in out:
+            left = self._network.measured(tours)
+            if left is None or not self._put_in(tours, role, left):
+                return None
+        return tours
+
+    def _chosen(self, paths: Paths) -> list[int]:
+        """A role on a longest path, and others near it in time or as urgent."""
+        luck, stops = self._luck, self._stops.of
+        critical = [
+            role
+            for role in self._loose
+            if paths.head[2 * stops[role].first] + paths.tail[2 * stops[role].first] == paths.makespan
+        ]
+        seed = luck.choice(critical or self._loose)
+        many = min(len(self._loose), luck.randint(1, MOST_OUT))
+        middle = paths.head[2 * stops[seed].first]
+        if luck.random() < 0.3:
+            others = luck.sample(self._loose, many)
+        else:
+            near = sorted(
+                self._loose,
+                key=lambda role: (1.0 + luck.random()) * (abs(paths.head[2 * stops[role].first] - middle) + 1),
+            )
+            others = near[:many]
+        return list(dict.fromkeys([seed, *others]))[:many]
+
+    def _put_in(self, tours: Tours, role: int, paths: Paths) -> bool:
+        """Where the longest path through the role is shortest; False if it can go nowhere."""
+        head, tail, stop = paths.head, paths.tail, self._stops.of[role]
+        ready, ends = head[2 * stop.first], head[2 * stop.last + 1]
+        rest = tail[2 * stop.last + 1]
+        best: tuple[float, str, int] | None = None
+        noise = NOISE * paths.makespan * self._luck.random()
+        for robot in self._robots[self._problem.staffing.type_of[role]]:
+            roles = tours[robot]
+            if not self._may_join(role, roles):
+                continue
+            spot, free = self._network.start[robot], self._network.since[robot]
+            for place in range(len(roles) + 1):
+                follows = self._stops.of[roles[place]] if place < len(roles) else None
+                if follows is None or ready < head[2 * follows.last + 1] or ready == head[2 * follows.first]:
+                    way = self._network.way(role, spot)
+                    through = max(ready, free) + way + stop.length
+                    left = rest
+                    if follows is not None:
+                        left = max(left, self._network.way(roles[place], stop.left_at(spot)) + tail[2 * follows.first])
+                    value = through + left + 0.1 * way + noise * self._luck.random()
+                    if way < FAR and (best is None or value < best[0]):
+                        best = (value, robot, place)
+                if follows is None:
+                    break
+                if head[2 * follows.first] >= ends > ready:
+                    break  # it may wait for the role
+                spot, free = follows.left_at(spot), head[2 * follows.last + 1]
+        if best is None:
+            return False
+        tours[best[1]].insert(best[2], role)
+        return True
+
+    def _may_join(self, role: int, roles: list[int]) -> bool:
+        staffing = self._problem.staffing
+        group = self._group[role]
+        if not staffing.avoids[group] and not staffing.wears[group]:
+            return True
+        others = [self._group[other] for other in roles]
+        return not any(
+            staffing.avoids[group] & staffing.wears[other] or staffing.wears[group] & staffing.avoids[other]
+            for other in others
+        )

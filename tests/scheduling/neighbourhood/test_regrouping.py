@@ -1,0 +1,109 @@
+"""Large neighbourhood search: its longest paths are those of the schedule, what it finds is a schedule, and it never loses what it had."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from random import Random
+
+import pytest
+
+from benchmarks.random_missions import write_mission
+from benchmarks.schedule_cases import FEATURES, ScheduleCase, random_schedule_case
+from benchmarks.schedule_oracle import TooMuchError, least_makespan
+from missiontree.briefing import request_from
+from missiontree.checking import check
+from missiontree.mission.control import Control, Progress
+from missiontree.planner import plan_request
+from missiontree.scheduling.course import Course
+from missiontree.scheduling.greedy import best_of_runs, read_problem
+from missiontree.scheduling.neighbourhood import search
+from missiontree.scheduling.neighbourhood.network import Network
+from missiontree.scheduling.neighbourhood.stops import stops_of
+from missiontree.scheduling.problem import Draft, Problem
+from missiontree.scheduling.replay import replay
+
+PLAIN = frozenset({"travel", "joint", "links", "apart", "idle", "times", "comings"})
+"""Features of which the longest paths know all there is."""
+
+
+def drafted(
+    seed: int, features: frozenset[str] = frozenset(FEATURES) | {"travel"}
+) -> tuple[ScheduleCase, Problem, Draft] | None:
+    case = random_schedule_case(Random(f"neighbourhood {seed}"))  # noqa: S311 - luck for tests, not for secrets
+    if not case.features <= features:
+        return None
+    problem = read_problem(case.tree, case.alternative, case.fleet, case.scene, case.terms)
+    if not isinstance(problem, Problem):
+        return None
+    draft, _ = best_of_runs(problem, case.alternative, Control(), most=3)
+    return None if draft is None else (case, problem, draft)
+
+
+def tours_of(problem: Problem, draft: Draft) -> dict[str, list[int]]:
+    start = {one.leaf: (one.start, one.end) for one in draft.done}
+    roles = problem.graph.roles
+    tours: dict[str, list[int]] = {robot.id: [] for kind in problem.fleet.types for robot in kind.members}
+    for role in sorted(roles, key=lambda role: (start[roles[role][0]][0], start[roles[role][-1]][1], role)):
+        tours[draft.robot_of[role]].append(role)
+    return tours
+
+
+def test_longest_paths_are_as_long_as_the_schedule_that_is_played_through() -> None:
+    """Played through with all rules, the same tours end when the longest path does, where nothing but order, ways and times counts."""
+    compared = 0
+    for seed in range(2500):
+        found = drafted(seed, PLAIN)
+        if found is None:
+            continue
+        _, problem, draft = found
+        stops = stops_of(problem)
+        if stops is None:
+            continue
+        tours = tours_of(problem, draft)
+        paths = Network(problem, stops).measured(tours)
+        played = replay(problem, Course({role: name for name, roles in tours.items() for role in roles}, tours))
+        if played is None:
+            continue
+        assert paths is not None
+        assert paths.makespan == played.makespan
+        compared += 1
+    assert compared >= 20
+
+
+def test_no_rule_is_broken_and_nothing_below_the_least_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Small missions with every rule: what is found is never longer than what was there, nor shorter than the least there is."""
+    monkeypatch.setattr(search, "FEWEST_ROLES", 2)
+    better = 0
+    for seed in range(250):
+        found = drafted(seed)
+        if found is None:
+            continue
+        case, problem, draft = found
+        best = search.regrouped(problem, draft, seed, 15, lambda: False, lambda one: None)
+        assert best.makespan <= draft.makespan
+        if best.makespan < draft.makespan:
+            better += 1
+            try:
+                least = least_makespan(case)
+            except TooMuchError:
+                continue
+            assert least is not None
+            assert best.makespan >= least
+    assert better >= 1
+
+
+def test_a_large_mission_gets_shorter_and_passes_the_checker(tmp_path: Path) -> None:
+    """30 goals: `auto` searches large neighbourhoods, always the same, and tells of each step on the way down."""
+    file = write_mission(tmp_path, 30, 9, 4)
+    plain = plan_request(request_from(file, k=1), Control())
+    news: list[Progress] = []
+    plans = [
+        plan_request(request_from(file, k=1, scheduler="auto"), Control(clock=lambda: 0.0, report=news.append))
+        for _ in range(2)
+    ]
+    assert plans[0].schedules[0].makespan_s < plain.schedules[0].makespan_s
+    assert plans[0].schedules == plans[1].schedules
+    assert check(plans[0]) == ()
+    best = [one.best for one in news[: len(news) // 2] if one.stage == "scheduling" and one.best is not None]
+    assert best[-1] == plans[0].schedules[0].makespan_s
+    assert best == sorted(best, reverse=True)
