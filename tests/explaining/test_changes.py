@@ -45,6 +45,7 @@ def rich() -> Case:
         without=("left",),
         require=("rover",),
         min_quality=0.5,
+        return_home=True,
         deadline_s=90.0,
     )
     assert request.tree is not None
@@ -60,6 +61,7 @@ def test_what_the_mission_states_is_what_may_be_changed() -> None:
     assert offered >= {
         ("take_off_without", "left", ""),
         ("take_off_require", "rover", ""),
+        ("end_anywhere", "", ""),
         ("lower_min_quality", "", ""),
         ("allow_type", "n0", "arm"),
         ("ignore_kinds", "", ""),
@@ -93,6 +95,7 @@ def test_what_the_mission_states_is_what_may_be_changed() -> None:
     [
         (Change(kind="take_off_without", target="left"), "Let left take part (take it off 'without')."),
         (Change(kind="take_off_require", target="rover"), "Do not insist on Rover (take it off 'require')."),
+        (Change(kind="end_anywhere"), "Let robots end where they are (return_home: false)."),
         (Change(kind="lower_min_quality", was=0.5, to=0.4), "Ask for a quality of 0.4 instead of 0.5 (min_quality)."),
         (Change(kind="allow_type", target="n0", name="arm"), 'Allow Arm for "Transport(crate, dock)".'),
         (Change(kind="drop_link", target="n0", name="n1"), 'Give up that one robot does both "Transport(crate, dock)" and "Search(Anna)".'),
@@ -147,3 +150,21 @@ def test_a_mission_of_one_part_offers_nothing_to_leave_out() -> None:
     request = mission(CARRY, fleet=FLEET, scene=SCENE + ROADS)
     assert request.tree is not None
     assert not [change for change in candidates(Case(request.brief, request.tree)) if change.kind == "drop_part"]
+
+
+def test_of_a_grid_the_fewest_cells_that_close_the_way_are_offered() -> None:
+    # A wall of two cells, three high; the lowest row has a gap of one cell on its left: two cells there, one cell below.
+    scene = """
+places: [{id: dock, position: {x_m: 0.5, y_m: 1.5}}, {id: hall, position: {x_m: 4.5, y_m: 1.5}}]
+entities: [{id: crate, mass_kg: 1, place: hall}]
+grid: {rows: ["..##.", "..##.", "...#."], cell_m: 1}
+"""
+    request = mission(CARRY, scene=scene)
+    assert request.tree is not None
+    case = Case(request.brief, request.tree)
+    (cleared,) = [change for change in candidates(case) if change.kind == "clear_cells"]
+    assert cleared.target == "2,3"
+    assert in_words(case, [cleared]) == "Clear the cell of the grid at (3.5, 0.5)."
+    changed = applied(case, [cleared])
+    assert changed.brief.world.grid is not None
+    assert changed.brief.world.grid.rows == ("..##.", "..##.", ".....")

@@ -84,6 +84,24 @@ def test_the_road_that_cuts_a_place_off_is_named_and_opened() -> None:
     assert words_of(known)[0] == "Open the road dock - hall."
 
 
+def test_a_wall_in_a_grid_is_opened_where_it_is_thinnest() -> None:
+    scene = """
+places: [{id: dock, position: {x_m: 0.5, y_m: 1.5}}, {id: hall, position: {x_m: 4.5, y_m: 1.5}}]
+entities: [{id: crate, mass_kg: 12, place: hall}]
+grid: {rows: ["..##.", "..##.", "...#."], cell_m: 1}
+"""
+    assert words_of(told_of(mission(CARRY, scene=scene))) == ["Clear the cell of the grid at (3.5, 0.5)."]
+
+
+def test_robots_that_cannot_be_home_in_time_may_end_where_they_are() -> None:
+    # Anna is 30 m away: 5 s, then 30 s there, 60 s and 2 s of search are 97 s, and 30 s home are 127 s.
+    known = told_of(mission(FIND, deadline_s=100.0, return_home=True))
+    assert words_of(known)[:2] == [
+        "Let robots end where they are (return_home: false).",
+        "Move the deadline of the mission from 100 s to 127 s, 27 s later.",
+    ]
+
+
 def test_two_faults_at_once_are_mended_together_and_nothing_can_be_spared() -> None:
     fleet = FLEET.replace("payload_kg: 15", "payload_kg: 4").replace("search: 0.8, ", "")
     known = told_of(mission(CARRY, FIND, ("Search", {"agent": "crate"}), fleet=fleet))

@@ -74,6 +74,9 @@ class Finder:
         return round(sum(self._costs.of(change, self._routines(change)) for change in changes), 6)
 
     def _routines(self, change: Change) -> int:
+        """How many routines or cells a change is about."""
+        if change.kind == "clear_cells":
+            return len(change.target.split())
         return routines_below(self.case, change.target) if change.kind == "drop_part" else 1
 
     def ask(self, changes: Iterable[Change]) -> Answer:

@@ -66,7 +66,7 @@ def uses_by_robot(case: Case, tree: GroundedTree, schedule: Schedule, name: str)
     used: dict[str, float] = {}
     for act in schedule.actions:
         used[act.robot] = used.get(act.robot, 0.0) + tree.action(act.leaf).uses.get(name, 0.0)
-    for leg in schedule.legs:
+    for leg in schedule.ways:
         per_m = case.brief.fleet.type_of[leg.robot].uses_per_m.get(name, 0.0)
         used[leg.robot] = used.get(leg.robot, 0.0) + per_m * leg.distance_m
     return used

@@ -14,11 +14,13 @@ DEFAULTS: Mapping[ChangeKind, tuple[float, float]] = FrozenMap(
     {
         "take_off_without": (1, 0),
         "take_off_require": (1, 0),
+        "end_anywhere": (1, 0),
         "allow_type": (1, 0),
         "lower_min_quality": (1, 2),
         "extend_deadline": (1, 2),
         "move_release": (1, 2),
         "open_way": (2, 0),
+        "clear_cells": (2, 0),
         "allow_zone": (2, 0),
         "drop_link": (2, 0),
         "ignore_kinds": (2, 0),

@@ -58,6 +58,8 @@ def _does(tree: GroundedTree, step: Step) -> str:
     match step.kind:
         case "travel":
             return f"on the way to {action.at}"
+        case "home":
+            return "on the way home"
         case "wait":
             return f"waits for {action.text!r}"
         case _:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from missiontree.explaining.case import Case
-from missiontree.explaining.changes import abilities, parts, robots, sharing, terms, times, totals, ways
+from missiontree.explaining.changes import abilities, cells, parts, robots, sharing, terms, times, totals, ways
 from missiontree.explaining.changes.needs import needs_of
 from missiontree.mission.change import Change, ChangeKind
 
@@ -15,11 +15,13 @@ Words = Callable[[Case, Change], str]
 FAMILIES: Mapping[ChangeKind, tuple[Apply, Words]] = {
     "take_off_without": (terms.take_off_without, terms.take_off_without_words),
     "take_off_require": (terms.take_off_require, terms.take_off_require_words),
+    "end_anywhere": (terms.end_anywhere, terms.end_anywhere_words),
     "lower_min_quality": (terms.lower_min_quality, terms.lower_min_quality_words),
     "allow_type": (terms.allow_type, terms.allow_type_words),
     "ignore_kinds": (terms.ignore_kinds, terms.ignore_kinds_words),
     "drop_link": (terms.drop_link, terms.drop_link_words),
     "open_way": (ways.open_way, ways.open_way_words),
+    "clear_cells": (cells.clear_cells, cells.clear_cells_words),
     "lift_keep_out": (ways.lift_keep_out, ways.lift_keep_out_words),
     "allow_zone": (ways.allow_zone, ways.allow_zone_words),
     "extend_deadline": (times.extend_deadline, times.extend_deadline_words),
@@ -39,7 +41,7 @@ FAMILIES: Mapping[ChangeKind, tuple[Apply, Words]] = {
 }
 """How each kind is applied to a copy of a case, and how it is told as an order."""
 
-SOURCES = tuple(one.candidates for one in (terms, times, ways, robots, sharing, totals, abilities, parts))
+SOURCES = tuple(one.candidates for one in (terms, times, ways, cells, robots, sharing, totals, abilities, parts))
 """What may be changed, an idea each."""
 
 

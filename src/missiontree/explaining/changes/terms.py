@@ -18,6 +18,8 @@ def candidates(case: Case, needs: Needs) -> Iterator[Change]:
         yield Change(kind="take_off_without", target=name)
     for name in brief.require:
         yield Change(kind="take_off_require", target=name)
+    if brief.return_home:
+        yield Change(kind="end_anywhere")
     if isinstance(brief.min_quality, Mapping):
         for name, least in brief.min_quality.items():
             yield Change(kind="lower_min_quality", name=name, was=least)
@@ -52,6 +54,16 @@ def take_off_require(case: Case, change: Change) -> Case:
 def take_off_require_words(case: Case, change: Change) -> str:
     """As an order."""
     return f"do not insist on {_label(case, change.target)} (take it off 'require')"
+
+
+def end_anywhere(case: Case, change: Change) -> Case:
+    """Robots need not return to where they started."""
+    return with_brief(case, return_home=False)
+
+
+def end_anywhere_words(case: Case, change: Change) -> str:
+    """As an order."""
+    return "let robots end where they are (return_home: false)"
 
 
 def lower_min_quality(case: Case, change: Change) -> Case:
