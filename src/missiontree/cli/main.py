@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import signal
 import sys
-from typing import Annotated
+from collections.abc import Callable
+from functools import cache
+from typing import Annotated, Any
 
 import typer
+from typer.main import get_command
 
 from missiontree import __version__
 from missiontree.cli import (
@@ -85,11 +88,17 @@ def _plainly(message: str) -> str:
     return message
 
 
+@cache
+def _parser() -> Callable[..., Any]:
+    """Made once per process: making it reads the signatures of all commands."""
+    return get_command(app)
+
+
 def _run() -> int:
     if len(sys.argv) == 1:
         sys.argv.append("--help")
     try:
-        code = app(standalone_mode=False)
+        code = _parser()(standalone_mode=False)
     except typer.TyperException as error:
         raise InputError(
             _plainly(error.format_message()), hint="`missiontree COMMAND --help` lists what a command takes."

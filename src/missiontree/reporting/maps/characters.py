@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 from rich.cells import cell_len
 
@@ -202,11 +203,8 @@ class CharacterMap:
 
 def _cut(name: str, most: int) -> str:
     """A name that takes so many columns at most."""
-    if _columns_of(name) <= most:
-        return name
-    while name and _columns_of(name) > most - 1:
-        name = name[:-1]
-    return f"{name}…"
+    widths = list(accumulate(map(cell_len, name), initial=0))
+    return name if widths[-1] <= most else f"{name[: max(0, bisect_right(widths, most - 1) - 1)]}…"
 
 
 def _columns_of(name: str) -> int:
