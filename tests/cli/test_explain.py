@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import pytest
+
 from tests.cli.running import Shell
 
 
@@ -25,3 +27,44 @@ def test_a_plan_stands_in_the_place_of_its_mission(shell: Shell, tmp_path: Path)
     file = tmp_path / "plan.json"
     shell("plan", "--sample", "restaurants", "--out", str(file))
     assert "capability recommend" in shell("explain", str(file)).out
+
+
+def test_a_repair_is_planned_shown_and_kept(shell: Shell, tmp_path: Path) -> None:
+    done = shell(
+        "explain", "--sample", "rescue", "--without", "transportation_robot", "--repair", "2", "--out", "plan.json"
+    )
+    assert done.code == 0
+    assert "Do not enforce kinds of arguments" in done.out
+    assert shell("check", "plan.json").code == 0
+
+
+def test_costs_of_the_command_line_change_the_order(shell: Shell) -> None:
+    arguments = ("explain", "--sample", "rescue", "--without", "transportation_robot", "--json")
+    usual = json.loads(shell(*arguments).out)
+    dear = json.loads(shell(*arguments, "--cost", "take_off_without=50", "--cost", "add_capability.tele_robot=1").out)
+    assert usual["repairs"][0]["changes"][0]["kind"] == "take_off_without"
+    assert dear["repairs"][0]["changes"][0]["target"] == "tele_robot"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "why"),
+    [
+        (("--cost", "add_robot"), "bad input: --cost 'add_robot'"),
+        (("--cost", "add_robot=-1"), "bad input: --cost 'add_robot=-1'"),
+        (("--cost", "buy_robot=1"), "the nearest is 'add_robot'"),
+        (("--repairs", "0"), "bad input: --repairs 0"),
+        (("--out", "plan.json"), "--out is given without --repair"),
+        (("--repair", "1"), "the mission can be done as it stands"),
+    ],
+)
+def test_options_that_make_no_sense_are_refused(shell: Shell, arguments: tuple[str, ...], why: str) -> None:
+    done = shell("explain", "--sample", "reunite", *arguments)
+    assert done.code == 2
+    assert why in done.err
+
+
+def test_inputs_beside_a_plan_are_refused(shell: Shell) -> None:
+    shell("plan", "--sample", "restaurants", "--out", "plan.json")
+    done = shell("explain", "plan.json", "--no-kinds")
+    assert done.code == 2
+    assert "--kinds is given beside a plan, which carries its inputs" in done.err

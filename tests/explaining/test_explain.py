@@ -13,6 +13,7 @@ from missiontree.checking import check
 from missiontree.errors import InputError
 from missiontree.explaining.changes.families import applied
 from missiontree.explaining.explain import Explained, explain, explain_authored, explained, request_of
+from missiontree.explaining.nearest import nearest_part
 from missiontree.mission.control import Control
 from missiontree.mission.costs import Costs, Price
 from missiontree.mission.explanation import Shortfall
@@ -158,12 +159,34 @@ def test_a_plan_is_explained_like_its_mission() -> None:
     assert request_of(plan).tree == request.tree
 
 
+def test_of_a_plan_for_a_part_the_whole_mission_is_explained() -> None:
+    request = mission(CARRY, FIND, fleet=FLEET.replace("payload_kg: 15", "payload_kg: 4"))
+    authored = Authored(status="complete", tree=request.tree, author="given")
+    whole = plan_authored(request, authored, Control())
+    part = nearest_part(whole, request, authored, Control())
+    assert part is not None
+    assert part.outcome == "partial"
+    assert [repair.words for repair in explain(part).repairs] == words_of(told_of(request, 6))
+
+
+def test_what_a_search_left_open_is_said() -> None:
+    costs = Costs({"add_robot": Price(of={"rovr": 1})})
+    request = replace(mission(CARRY, fleet=FLEET.replace("payload_kg: 15", "payload_kg: 4")), costs=costs)
+    assert [notice.rule for notice in told_of(request).told.notices] == ["cost_unused"]
+    authored = Authored(status="complete", tree=request.tree, author="given")
+    plan = plan_authored(request, authored, Control())
+    cut = explained(plan, request, Control(time_limit_s=0.0)).told
+    assert [notice.rule for notice in cut.notices] == ["repairs_cut_short", "cost_unused"]
+
+
 def test_a_repair_gives_the_whole_plan_and_says_so_in_it() -> None:
     known = told_of(mission(CARRY, deadline_s=50.0))
     plan = known.repaired(1)
     assert plan.notices[-1].rule == "repair_applied" or any(one.rule == "repair_applied" for one in plan.notices)
     with pytest.raises(InputError, match="there is no repair 99"):
         known.repaired(99)
+    with pytest.raises(InputError, match="the mission can be done as it stands"):
+        told_of(mission(CARRY)).repaired(1)
 
 
 def test_no_limit_of_time_gives_causes_and_claims_nothing() -> None:

@@ -107,6 +107,11 @@ def command(
 
     plan = plan_given(mission)
     asked = Asked(why_not, why_not_robot, for_part, why_not_rank, tuple(without or ()) if plan is not None else ())
+    if plan is not None:
+        refuse_beside_plan(
+            fleet=fleet, scene=scene, routines=routines, methods=methods, sample=sample, weights=weights, require=require,
+            min_quality=min_quality, estimator=estimator, accumulate=accumulate, diverse=diverse, replay=replay, kinds=kinds,
+        )  # fmt: skip
     if out is not None and repair is None and not asked:
         raise InputError("--out is given without --repair", accepted="--repair N or --why-not, whose plan is written")
     if asked and repair is not None:
@@ -164,6 +169,23 @@ def command(
 def _authored(made: Authored | None) -> Authored:
     assert made is not None, "a mission that is no plan was authored"
     return made
+
+
+def refuse_beside_plan(**given: object) -> None:
+    """
+    Refuse inputs beside a plan, which carries its own.
+
+    Raises
+    ------
+    InputError
+        Naming the first of them.
+    """
+    for name, value in given.items():
+        if value is not None:
+            raise InputError(
+                f"--{name.replace('_', '-')} is given beside a plan, which carries its inputs",
+                accepted="the mission in place of its plan, or the plan alone",
+            )
 
 
 def plan_given(mission: str | None) -> Plan | None:

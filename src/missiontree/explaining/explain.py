@@ -24,6 +24,7 @@ from missiontree.explaining.causes.routines import routine_causes
 from missiontree.explaining.nearest import nearest_of
 from missiontree.explaining.repairing import Repairs, planned
 from missiontree.explaining.understood import understood
+from missiontree.explaining.whole import as_given
 from missiontree.mission.control import Control
 from missiontree.mission.costs import Costs
 from missiontree.mission.explanation import Cause, Explanation, Repair
@@ -83,6 +84,11 @@ class Explained:
             if repair.number == number:
                 return repair
         count = len(self.told.repairs)
+        if self.told.outcome == "delivered":
+            raise InputError(
+                f"repair {number} is asked for, and the mission can be done as it stands",
+                accepted="a mission that cannot be done",
+            )
         raise InputError(
             f"there is no repair {number}",
             accepted=f"a number from 1 to {count}" if count else "none: no repair was found",
@@ -135,6 +141,9 @@ def explain(
 
 def explained(plan: Plan, request: Request, control: Control, most: int = MOST_REPAIRS) -> Explained:
     """Explain a plan that was made of a request, see :func:`explain`."""
+    if plan.partial is not None:  # the whole mission is what is to be explained
+        whole = plan.partial.whole
+        plan = plan_authored(replace(request, tree=whole), as_given(whole, plan.brief), control)
     if plan.outcome == "exhausted" and plan.tree is not None and plan.grounding is not None:
         plan = _settled(plan, request, control)
     told = Explanation(outcome=plan.outcome, mission=plan.brief.text, plan=plan)
@@ -154,6 +163,7 @@ def explained(plan: Plan, request: Request, control: Control, most: int = MOST_R
         repairs=found,
         cheapest=repairs.cheapest,
         tried=repairs.looked_at,
+        notices=repairs.notices(),
         nearest=nearest,
     )
     return Explained(told, request, case)
@@ -192,7 +202,7 @@ def request_of(plan: Plan) -> Request:
         own = OwnEstimator(ReadingOut(said).estimate, brief.estimator)
     return Request(
         brief=brief,
-        tree=plan.tree,
+        tree=plan.tree if plan.partial is None else plan.partial.whole,
         k=max(DEFAULT_K, len(plan.ranking.alternatives) if plan.ranking else 0),
         allocator=plan.provenance.allocator or "exact",
         scheduler=plan.provenance.scheduler or "greedy",

@@ -21,7 +21,7 @@ from missiontree.explaining.guesses import guesses
 from missiontree.explaining.probing import NO, Answer, Prober
 from missiontree.explaining.sizing import smallest
 from missiontree.mission.change import Change, ChangeKind
-from missiontree.mission.costs import Costs
+from missiontree.mission.costs import Costs, Price
 from missiontree.mission.explanation import Cheapest, Shortfall
 
 
@@ -78,6 +78,13 @@ class Finder:
         if change.kind == "clear_cells":
             return len(change.target.split())
         return routines_below(self.case, change.target) if change.kind == "drop_part" else 1
+
+    def unused_prices(self) -> list[tuple[str, str]]:
+        """Kinds of change and names that have a cost of their own, and that no change looked at is about."""
+        known = {(change.kind, name) for change in self.changes for name in (change.target, change.name)}
+        prices = self._costs.prices.items()
+        named = ((kind, name) for kind, price in prices if isinstance(price, Price) for name in price.of)
+        return [pair for pair in named if pair not in known]
 
     def ask(self, changes: Iterable[Change]) -> Answer:
         """Whether the mission can be done with changes."""

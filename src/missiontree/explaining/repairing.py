@@ -40,7 +40,8 @@ class Repairs:
 
     def __init__(self, request: Request, case: Case, known: Sequence[Shortfall], control: Control) -> None:
         self._request, self._case, self._control = request, case, control
-        self._finder = Finder(case, Prober(request, control.part(SEARCH_SHARE), MOST_ASKED), request.costs, known)
+        self._prober = Prober(request, control.part(SEARCH_SHARE), MOST_ASKED)
+        self._finder = Finder(case, self._prober, request.costs, known)
         self.looked_at = len(self._finder.changes)
         self.cheapest: Cheapest = "none"
 
@@ -61,6 +62,11 @@ class Repairs:
             self.cheapest = "none"
         return tuple(repairs)
 
+    def notices(self) -> tuple[Reason, ...]:
+        """What else to know: that the search was cut short, and costs that are about nothing here."""
+        found = [_unused(kind, name) for kind, name in self._finder.unused_prices()]
+        return (*((TIME_UP,) if self._prober.ended() else ()), *found)
+
     def _repair(self, number: int, found: Found, plan: Plan) -> Repair:
         assert plan.ranking is not None, "a delivered plan has a ranking"
         best = next(one for one in plan.schedules if one.status in {"optimal", "feasible"})
@@ -74,6 +80,24 @@ class Repairs:
             makespan_s=best.makespan_s,
             plan=plan,
         )
+
+
+TIME_UP = Reason(
+    rule="repairs_cut_short",
+    severity="notice",
+    message="Time was up before every change was looked at; there may be more repairs, and less costly ones.",
+    hint="Give more time (--time-limit).",
+)
+
+
+def _unused(kind: str, name: str) -> Reason:
+    return Reason(
+        rule="cost_unused",
+        severity="notice",
+        message=f"The costs of {kind} name {name!r}, and no change of that kind is about it.",
+        found=name,
+        hint="A name is that of a robot type, a capability, a limit or a node of the tree.",
+    )
 
 
 def planned(request: Request, case: Case, found: Found | Repair, control: Control, k: int) -> Plan | None:

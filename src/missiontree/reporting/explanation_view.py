@@ -8,8 +8,10 @@ from rich.console import Group, RenderableType
 from rich.padding import Padding
 from rich.text import Text
 
+from missiontree.mission.alternative import Ranking
 from missiontree.mission.explanation import Cause, Explanation, Repair
-from missiontree.reporting.text import HEADLINES, render, words
+from missiontree.mission.plan import Plan
+from missiontree.reporting.text import HEADLINES, best_scheduled, render, words
 
 MOST_REFUSALS = 12
 MOST_STEPS = 8
@@ -32,6 +34,8 @@ def _sections(told: Explanation) -> Iterator[RenderableType]:
     yield Text.assemble(
         ("Can be done" if can else headline, style), ": ", words(told.mission.strip() or "(no words)", "bold")
     )
+    if can and told.plan is not None and told.plan.ranking is not None:
+        yield from _best(told.plan, told.plan.ranking)
     if told.causes:
         yield from _titled("Why it cannot be done")
         for cause in told.causes:
@@ -51,6 +55,20 @@ def _sections(told: Explanation) -> Iterator[RenderableType]:
         yield Padding(words("`missiontree plan … --partial` plans it.", "dim"), (0, 0, 0, 2))
     for notice in told.notices:
         yield Padding(Text.assemble(("+", "cyan"), " ", words(notice.message)), (0, 0, 0, 2))
+
+
+def _best(plan: Plan, ranking: Ranking) -> Iterator[RenderableType]:
+    """That nothing has to change, and how to ask further."""
+    best = best_scheduled(plan)
+    if best is not None:
+        utility = ranking.alternatives[best.rank - 1].utility
+        known = (
+            f"Nothing has to change: alternative {best.rank} has utility {utility:g} and takes {best.makespan_s:.1f} s."
+        )
+        yield Padding(words(known), (0, 0, 0, 2))
+        yield Padding(
+            words("`missiontree plan …` shows it, `--why-not` asks why it is not otherwise.", "dim"), (0, 0, 0, 2)
+        )
 
 
 def _titled(title: str) -> Iterator[RenderableType]:
