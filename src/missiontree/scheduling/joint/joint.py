@@ -14,6 +14,7 @@ from missiontree.mission.tree_schedule import TreeSchedule
 from missiontree.scheduling.joint.balance import POWERS, balanced
 from missiontree.scheduling.joint.chains import Contraction, contracted
 from missiontree.scheduling.joint.compiled import engine_for
+from missiontree.scheduling.joint.dispatching import dispatched
 from missiontree.scheduling.joint.flips import flipped
 from missiontree.scheduling.joint.handing import handed_out
 from missiontree.scheduling.joint.justify import justified, reversed_in_time
@@ -174,7 +175,7 @@ def _balances(view: _View, known: Known, control: Control) -> Iterator[None]:
         noise = NOISE if rounds >= len(POWERS) else 0.0
         urgency = [each * (1.0 + noise * luck.random()) for each in view.urgency]
         rounds += 1
-        one = view.whole(listed(view.smaller, view.shorter, urgency, None, chosen))
+        one = view.whole(dispatched(view.smaller, urgency, chosen))
         known.offer(view.pushed(one, known, control))
         yield
 
