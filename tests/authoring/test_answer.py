@@ -26,6 +26,10 @@ def test_the_nearest_miss_comes_first_and_what_is_out_anyway_is_named_together()
             "message": "No robot can do it.",
             "hint": "If no other routine serves the mission, call declareImpossible with what is missing.",
         },
+        {
+            "rule": "nearly_able",
+            "message": "Nearest to being able: cart lacks only payload_kg 900; rover lacks only the capability carry.",
+        },
         {"rule": "limit_too_low", "message": "cart: payload_kg 90, needed 900."},
         {"rule": "capability_missing", "message": "drone, rover: no carry."},
     ]

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from missiontree.authoring.nearly_able import nearly_able
 from missiontree.mission.reason import Reason
 
 _SHOWN = ("rule", "message", "hint")
@@ -89,7 +90,13 @@ def _refused(reasons: tuple[Reason, ...]) -> list[dict[str, str]]:
         {"rule": "capability_missing", "message": f"{', '.join(robots)}: no {needed}."}
         for needed, robots in lacking.items()
     ]
-    return [_shown(reasons[0]), *near, *far]
+    return [_shown(reasons[0]), *_nearest(reasons), *near, *far]
+
+
+def _nearest(reasons: tuple[Reason, ...]) -> list[dict[str, str]]:
+    """Of a routine that nobody can do: which robot types lack one thing only, and what."""
+    said = nearly_able(reasons[1:]) if reasons[0].rule == "no_robot_able" else ""
+    return [{"rule": "nearly_able", "message": said}] if said else []
 
 
 def _shown(reason: Reason) -> dict[str, str]:

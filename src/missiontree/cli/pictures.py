@@ -95,11 +95,14 @@ def write_pictures(plan: Plan, asked: Asked) -> tuple[Path, ...]:
 def report_of(plan: Plan, rank: int | None = None) -> str:
     """The report of a plan, with what its checker says of it."""
     from missiontree.checking import check, taken_on_trust
+    from missiontree.explaining.of_plan import explanation_of
+    from missiontree.mission.control import Control
     from missiontree.reporting.html.checked import Checked
     from missiontree.reporting.html.report import report_html
 
     faults = tuple(check(plan))
-    return report_html(plan, Checked(faults, () if faults else taken_on_trust(plan)), rank)
+    told = None if faults else explanation_of(plan, Control(seed=plan.provenance.seed))
+    return report_html(plan, Checked(faults, () if faults else taken_on_trust(plan)), rank, told)
 
 
 def _tree(plan: Plan, rank: int | None, unfolded: bool) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -136,9 +137,12 @@ def command(
         plan = plan_authored(request, made, control)
         if plan.outcome == "exhausted" and control.stop():
             raise KeyboardInterrupt
+        whole = plan
         if partial and plan.outcome in {"cannot_be_done", "exhausted"}:
             plan = _in_part(plan, request, made, control, quiet or as_json, colour)
         deliver(plan, out, record, as_json, quiet, colour, explain_reading)
+        if not (quiet or as_json or explain_reading):
+            hint_at_repairs(whole, plan is not whole, request, control, colour)
         for file in write_pictures(plan, asked):
             if not (quiet or as_json):
                 remark(f"written to {file}", colour)
@@ -153,6 +157,19 @@ def _in_part(whole: Plan, request: Request, made: Authored, control: Control, qu
     if found is None and not quiet:
         remark("no part of the mission that can be done was found", colour)
     return found or whole
+
+
+def hint_at_repairs(whole: Plan, in_part: bool, request: Request, control: Control, colour: bool | None) -> None:
+    """Of a mission that cannot be done: the best change that would make it possible, and where to see more."""
+    from missiontree.explaining.explain import explained
+    from missiontree.explaining.of_plan import worth_explaining
+    from missiontree.reporting.explanation_view import hint_view
+
+    if worth_explaining(whole):
+        told = explained(whole, request, control, 1).told
+        view = hint_view(replace(told, nearest=None) if in_part else told)
+        if view.renderables:
+            show(view, colour)
 
 
 def deliver(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from missiontree.cli.screen import remark
@@ -11,6 +12,7 @@ if TYPE_CHECKING:
     from missiontree.authoring.outcome import Authored
     from missiontree.briefing import Request
     from missiontree.mission.control import Progress
+    from missiontree.mission.reason import Reason
 
 
 class Watch:
@@ -61,13 +63,27 @@ def authored(request: Request, quiet: bool, colour: bool | None) -> Authored:
     from missiontree.mission.control import Control
     from missiontree.planner import author
 
+    advice = advised(request, quiet, colour)
     watch = Watch(quiet, colour)
     made = author(request, Control(report=watch.report, seed=request.seed), watch.listen)
+    made = replace(made, notices=(*made.notices, *advice))
     if made.spent is not None and not quiet:
         from missiontree.reporting.spent_view import author_in_words
 
         remark(author_in_words(made.author, made.model, made.spent), colour)
     return made
+
+
+def advised(request: Request, quiet: bool, colour: bool | None) -> tuple[Reason, ...]:
+    """What is evident before a language model is asked, shown before anything is spent; it keeps nobody from asking."""
+    from missiontree.explaining.advice import advice_on, asks_a_model
+
+    advice = advice_on(request) if asks_a_model(request) else ()
+    for reason in () if quiet else advice:
+        remark(f"advice: {reason.message}", colour)
+    if advice and not quiet:
+        remark("advice, no verdict: read without a model, which is asked all the same", colour)
+    return advice
 
 
 def hint_at_keys(request: Request, colour: bool | None) -> None:

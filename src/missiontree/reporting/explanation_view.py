@@ -28,6 +28,20 @@ def explanation_view(explanation: Explanation) -> Group:
     return Group(*_sections(explanation))
 
 
+def hint_view(told: Explanation) -> Group:
+    """What would make it possible, in a few lines below a plan that says why it cannot be done: the best repair, and where to see more."""
+    lines: list[RenderableType] = []
+    if told.repairs:
+        lines += [*_titled("What would make it possible"), *_repair(told.repairs[0])]
+    if told.nearest is not None:
+        nearest = f"{told.nearest.words} `--partial` plans it."
+        lines += [*_titled("What can be done all the same"), Padding(words(nearest), (0, 0, 0, 2))]
+    if not lines:
+        return Group()
+    more = "`missiontree explain` with the same mission tells more: causes, other repairs, their plans."
+    return Group(*lines, Text(""), Padding(words(more, "dim"), (0, 0, 0, 2)))
+
+
 def _sections(told: Explanation) -> Iterator[RenderableType]:
     headline, style = HEADLINES[told.outcome]
     can = told.outcome == "delivered"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from markupsafe import Markup
 
 from missiontree.formats.digest import digest
+from missiontree.mission.explanation import Explanation
 from missiontree.mission.plan import Plan
 from missiontree.mission.tree import MissionTree
 from missiontree.reporting.escape import one_line
@@ -27,7 +28,9 @@ LONGEST_TITLE = 80
 LONGEST_HEADING = 400
 
 
-def report_html(plan: Plan, checked: Checked | None = None, rank: int | None = None) -> str:
+def report_html(
+    plan: Plan, checked: Checked | None = None, rank: int | None = None, told: Explanation | None = None
+) -> str:
     """
     A plan as one HTML file: who does what, when and why, then all that this rests on.
 
@@ -43,6 +46,10 @@ def report_html(plan: Plan, checked: Checked | None = None, rank: int | None = N
     rank
         Rank of the alternative that is shown at first. Default: the best that has a schedule.
 
+    told
+        Why it cannot be done, and what would make it possible (:func:`missiontree.explaining.explain.explain`). Default: the page does
+        not say what would.
+
     Raises
     ------
     InputError
@@ -56,7 +63,7 @@ def report_html(plan: Plan, checked: Checked | None = None, rank: int | None = N
     alone = (
         inlined(tree_svg(plan.tree), "tree-0") if plan.tree is not None and _grown(plan.tree) and not shown else None
     )
-    sections = sections_of(plan, shown, alone, checked)
+    sections = sections_of(plan, shown, alone, checked, told)
     pictures = [picture for way in shown for picture in way.pictures.all] + ([alone] if alone is not None else [])
     style, script = style_of(pictures, [way.rank for way in shown]), resource("report.js")
     mission = one_line(plan.brief.text) or "(no words)"

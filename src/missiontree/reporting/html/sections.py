@@ -8,6 +8,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from missiontree.mission.explanation import Explanation
 from missiontree.mission.plan import Plan
 from missiontree.reporting.html.checked import Checked
 from missiontree.reporting.html.compared import compared
@@ -18,16 +19,19 @@ from missiontree.reporting.html.origin import origin
 from missiontree.reporting.html.page import filled
 from missiontree.reporting.html.proofs import proofs
 from missiontree.reporting.html.remarks import not_offered, remarks, sentence
+from missiontree.reporting.html.repairs import repairs
 from missiontree.reporting.html.ways import Way, outline
 from missiontree.reporting.left_out import known_of_larger, parts_left_out
 from missiontree.reporting.team.view import team_view
 
+UNDONE = ("cannot_be_done", "partial")
 MOST_REFUSED = 60
 UNFOLDED_REFUSED = 8
 """So many tasks stand there at once; the others are folded, as what matters to hands stands further down."""
 ROWS: tuple[tuple[tuple[str, ...], tuple[str, ...]], ...] = (
     (("left_out",), ()),
     (("why",), ()),
+    (("repairs",), ()),
     (("schedule",), ()),
     (("map",), ()),
     (("caveats",), ("refused",)),
@@ -60,7 +64,13 @@ class Section:
     body: Markup
 
 
-def sections_of(plan: Plan, ways: tuple[Way, ...], tree: Picture | None, checked: Checked | None) -> dict[str, Section]:
+def sections_of(
+    plan: Plan,
+    ways: tuple[Way, ...],
+    tree: Picture | None,
+    checked: Checked | None,
+    told: Explanation | None = None,
+) -> dict[str, Section]:
     """
     The sections that a plan gives rise to, by id, in reading order.
 
@@ -74,8 +84,10 @@ def sections_of(plan: Plan, ways: tuple[Way, ...], tree: Picture | None, checked
         The picture of its tree, if there are none.
     checked
         What its checker said; None if it was not asked.
+    told
+        Why it cannot be done, and what would make it possible; None if that was not asked.
     """
-    made = {section.id: section for section in _sections(plan, ways, tree, checked)}
+    made = {section.id: section for section in _sections(plan, ways, tree, checked, told)}
     order = [name for left, right in ROWS for name in (*left, *right)]
     return {name: made[name] for name in order if name in made}
 
@@ -86,7 +98,9 @@ def rows_of(sections: Mapping[str, Section]) -> tuple[tuple[tuple[Section, ...],
     return tuple(kept for row in rows if (kept := tuple(column for column in row if column)))
 
 
-def _sections(plan: Plan, ways: tuple[Way, ...], tree: Picture | None, checked: Checked | None) -> Iterator[Section]:
+def _sections(
+    plan: Plan, ways: tuple[Way, ...], tree: Picture | None, checked: Checked | None, told: Explanation | None
+) -> Iterator[Section]:
     if plan.partial is not None:
         parts = remarks(parts_left_out(plan.partial))
         yield _section("left_out", "Left out", parts=parts, known=known_of_larger(plan.partial))
@@ -94,7 +108,17 @@ def _sections(plan: Plan, ways: tuple[Way, ...], tree: Picture | None, checked: 
         first = next((reason for reason in plan.reasons if reason.hint), None)
         rest = [replace(reason, hint="") if reason is first else reason for reason in plan.reasons]
         step = sentence(first.hint) if first is not None else ""
-        yield _section("why", "Why", reasons=remarks(rest), first_step=step)
+        if told is not None and told.repairs:
+            step = told.repairs[0].words
+        yield _section(
+            "why",
+            "Why" if plan.outcome not in UNDONE else "Why it cannot be done",
+            reasons=remarks(rest),
+            first_step=step,
+        )
+    if told is not None and told.outcome != "delivered":
+        nearest = told.nearest.words if told.nearest is not None and plan.partial is None else ""
+        yield _section("repairs", "What would make it possible", repairs=repairs(told), nearest=nearest)
     if ways:
         yield from _of_alternatives(plan, ways)
     if groups := _caveats(plan):
