@@ -39,6 +39,7 @@ def test_a_schedule_that_keeps_all_rules_has_no_fault() -> None:
                 start_s={2: 0, 6: 5, 3: 3},
                 robot={2: 0, 6: 0, 3: 0},
                 status="feasible",
+                certificate=replace(GOOD.certificate, claim="bounded"),
                 makespan_s=9,
             ),
         )

@@ -32,7 +32,7 @@ def test_coalitions_are_told_beside_what_was_published(shell: Shell, tmp_path: P
     """Robot 1 does task 2 alone after task 1 with robot 0: 5 + 4 + 5 + 2.5 + 10 = 26.5 s."""
     ran = shell("schedule", written(tmp_path, "mission.json", json.dumps(GOOD)))
     assert ran.code == 0
-    assert "Makespan 26.5 s, optimal, confirmed by labels" in ran.out
+    assert "Makespan 26.5 s, optimal, confirmed by a complete search (labels)" in ran.out
     assert "Published for this instance: 24.500 s." in ran.out
 
 
@@ -40,6 +40,7 @@ def test_json_tells_choices_actions_and_what_was_asked_for(shell: Shell, tmp_pat
     """Leaf 2 (3 s, robot 0), then leaf 4 (1 s, robot 1) rather than leaf 3 (2 s)."""
     ran = shell("schedule", written(tmp_path, "tree.json", json.dumps(small())), "--json", "--seed", "3", "--no-solver")
     told = json.loads(ran.out)
+    assert told["known"] == "optimal, confirmed by a bound (critical path)"
     assert (told["status"], told["makespan_s"], told["bound_s"], told["claim"], told["seed"]) == (
         "optimal",
         4,
@@ -67,7 +68,7 @@ def test_equal_robots_are_named_one_by_one_and_rank_refuses_them(shell: Shell, t
 def test_what_cannot_be_done_and_what_is_no_instance_have_their_codes(shell: Shell, tmp_path: Path) -> None:
     stuck = {"kind": [2], "parent": [-1], "robot": [0], "utility": [0], "robots": 1}
     ran = shell("schedule", written(tmp_path, "stuck.json", json.dumps(stuck)))
-    assert (ran.code, "Cannot be done" in ran.out) == (1, True)
+    assert (ran.code, "Cannot be done, infeasible, proven by selection" in ran.out) == (1, True)
     other = shell("schedule", written(tmp_path, "other.json", '{"a": 1}'))
     assert other.code == 2
     assert "this is no instance of a form that is known here" in other.err

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from math import dist
 
 from missiontree.checking.fault import Fault
+from missiontree.checking.instance_claims import claim_faults
 from missiontree.mission.coalitions import CoalitionMission, CoalitionSchedule, Visit
 
 TOLERANCE_S = 1e-6
@@ -104,3 +105,4 @@ def _claims(schedule: CoalitionSchedule) -> Iterator[Fault]:
         )
     if schedule.status == "optimal" and (bound is None or bound < schedule.makespan_s - TOLERANCE_S):
         yield Fault("the schedule is called optimal, and its bound is another.", found=f"{bound} s")
+    yield from claim_faults(schedule.status, schedule.certificate)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from missiontree.checking.fault import Fault
+from missiontree.checking.instance_claims import claim_faults
 from missiontree.mission.columns import AND, LEAF, XOR, TreeColumns
 from missiontree.mission.tree_schedule import TreeSchedule
 
@@ -141,3 +142,4 @@ def _claims(columns: TreeColumns, schedule: TreeSchedule) -> Iterator[Fault]:
         yield Fault("the bound lies above the makespan.", found=f"{bound:g} s", needed=f"at most {end} s")
     if schedule.status == "optimal" and bound != end:
         yield Fault("the schedule is called optimal, and its bound is another.", found=f"{bound} s", needed=f"{end} s")
+    yield from claim_faults(schedule.status, schedule.certificate)

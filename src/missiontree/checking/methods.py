@@ -9,6 +9,9 @@ RANKING_PROOFS = BY_AIM | {"lazy_k_best", "branch_and_bound", "pool", "enumerati
 BOUND_PROOFS = frozenset({"critical_path", "load", "resource_load", "second_formulation", "enumeration"})
 """Why no schedule is shorter."""
 
+COMPLETE_SEARCHES = frozenset({"labels"})
+"""Why no schedule of an instance is shorter, beside the bounds."""
+
 IMPOSSIBILITY_PROOFS = frozenset(
     {
         "precedence",

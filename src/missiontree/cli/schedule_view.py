@@ -15,6 +15,7 @@ from missiontree.instances import Instance
 from missiontree.mission.coalitions import CoalitionMission, CoalitionSchedule
 from missiontree.mission.columns import LEAF, TreeColumns
 from missiontree.mission.tree_schedule import TreeSchedule
+from missiontree.reporting.known import known_in_words
 from missiontree.reporting.text import words
 
 MOST_ACTIONS = 40
@@ -64,12 +65,9 @@ def _sections(told: Told) -> Iterator[RenderableType]:
     yield words(f"{told.source}: {_size(told.instance)}", "dim")
     certificate = schedule.certificate
     if schedule.status == "infeasible":
-        yield words(f"Cannot be done: {certificate.detail}", "bold")
+        yield words(f"Cannot be done, {_known(told)}: {certificate.detail}", "bold")
         return
     yield Text(f"Makespan {_shown(schedule.makespan_s)} s, {_known(told)}", style="bold")
-    if certificate.bound is not None and schedule.status != "optimal":
-        gap = (schedule.makespan_s - certificate.bound) / max(1.0, schedule.makespan_s)
-        yield Text(f"No schedule is shorter than {_shown(certificate.bound)} s; gap {100 * gap:.3g} %.")
     yield words(certificate.detail)
     if isinstance(told.instance, CoalitionMission) and told.instance.reference_s is not None:
         yield Text(f"Published for this instance: {told.instance.reference_s:.3f} s.")
@@ -90,11 +88,8 @@ def _size(instance: Instance) -> str:
 
 
 def _known(told: Told) -> str:
-    certificate = told.schedule.certificate
-    method = certificate.method.replace("_", " ")
-    if told.schedule.status == "optimal":
-        return f"optimal, confirmed by {method}" if certificate.claim == "proven" else "optimal by the solver's word"
-    return "not proven to be the least"
+    schedule = told.schedule
+    return known_in_words(schedule.status, schedule.certificate, schedule.makespan_s)
 
 
 def _shown(seconds: float) -> str:
@@ -162,6 +157,7 @@ def json_of(told: Told) -> str:
     certificate = schedule.certificate
     head: dict[str, object] = {
         "status": schedule.status,
+        "known": _known(told),
         "makespan_s": schedule.makespan_s,
         "bound_s": certificate.bound,
         "claim": certificate.claim,

@@ -19,12 +19,13 @@ class TreeSchedule:
     Parameters
     ----------
     status
-        ``optimal``: no selection has a schedule of a smaller makespan, and the certificate says by which method that is known.
-        ``feasible``: this one works. ``infeasible``: proven that no selection is complete. ``unknown``: none was found, none is
-        excluded. With the last two, nothing is scheduled.
+        ``optimal``: proven that no selection has a schedule of a smaller makespan; the certificate says by which method.
+        ``feasible``: this one works; that nothing is shorter may be a solver's word.
+        ``infeasible``: proven that no selection is complete. ``unknown``: none was found, none is excluded. With the last two, nothing
+        is scheduled.
     certificate
-        The bound on the makespan. ``proven``: it is one of missiontree's own, or a second method agrees. ``bounded``: no makespan is
-        below ``bound``; a bound that only a solver vouches for is named as such.
+        The bound on the makespan. ``proven``: the makespan meets one of missiontree's own, or a second method agrees. ``bounded``: no
+        makespan is below ``bound``. ``solver_word``: the same by the word of a solver alone.
     chosen
         Child taken at every reached XOR.
     start_s

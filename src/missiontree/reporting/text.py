@@ -19,6 +19,7 @@ from missiontree.mission.reason import Reason, Severity
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.critical.view import BRIEF, title_and_view
 from missiontree.reporting.escape import one_line
+from missiontree.reporting.known import by_word, known_of
 from missiontree.reporting.left_out import known_of_larger, parts_left_out
 from missiontree.reporting.limit_lines import limit_lines
 from missiontree.reporting.references import refuse_dangling
@@ -96,7 +97,7 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
         if best is not None:
             deadline_s = plan.grounding.tree.nodes[0].deadline_s
             due = "" if deadline_s is None else f" (due by {deadline_s:g} s)"
-            title = f"Schedule of alternative {best.rank}: {_length(best.makespan_s)}{due}, {_known(best)}"
+            title = f"Schedule of alternative {best.rank}: {_length(best.makespan_s)}{due}, {known_of(best)}"
             yield from _titled(title, [timeline(best, plan)])
             yield from _titled(*title_and_view(plan, best, BRIEF))
     not_offered = plan.grounding.not_offered if plan.grounding else ()
@@ -200,7 +201,9 @@ def _unscheduled(plan: Plan) -> Iterator[RenderableType]:
     """Alternatives that no schedule was found for, with the first reason of each."""
     for schedule in plan.schedules:
         if schedule.status in {"infeasible", "unknown"} and schedule.reasons:
-            why = "cannot be scheduled" if schedule.status == "infeasible" else "no schedule was found"
+            proof = schedule.certificate.method.replace("_", " ")
+            none = "no schedule was found"
+            why = f"cannot be scheduled, proven by {proof}" if schedule.status == "infeasible" else none
             yield Text(f"{schedule.rank}. {why}: ").append_text(reason_line(schedule.reasons[0]))
 
 
@@ -216,17 +219,6 @@ def _ranking_title(ranking: Ranking, aim: Aim) -> str:
     ended = "" if limit is None else f", ended by {limit.in_words}"
     teams = " of different teams" if aim.diverse else ""
     return f"{count} alternative{'s' if count != 1 else ''}{teams}, best first ({known}{ended})"
-
-
-def _known(schedule: Schedule) -> str:
-    if schedule.status == "optimal":
-        return f"optimal, confirmed by {schedule.certificate.method.replace('_', ' ')}"
-    bound = schedule.certificate.bound
-    if bound is not None and schedule.certificate.claim == "solver_word":
-        if bound >= schedule.makespan_s:
-            return "optimal by the solver's word, not confirmed"
-        return f"feasible, no plan is below {seconds(bound)} by the solver's word"
-    return "feasible" if bound is None else f"feasible, no plan can be below {seconds(bound)}"
 
 
 def alternatives_table(plan: Plan) -> Table:
@@ -256,19 +248,13 @@ def alternatives_table(plan: Plan) -> Table:
     return table
 
 
-def shortest_by_word(schedule: Schedule) -> bool:
-    """Whether a solver says that no schedule is shorter, and nothing confirms it."""
-    certificate = schedule.certificate
-    return certificate.claim == "solver_word" and (certificate.bound or 0.0) >= schedule.makespan_s
-
-
 def _verdict(alternative: Alternative, schedule: Schedule | None) -> str:
     rank = "rank proven" if alternative.certificate.claim == "proven" else "rank unproven"
     if schedule is None:
         return rank
     return {
         "optimal": f"{rank}\nshortest, proven",
-        "feasible": f"{rank}\n{'shortest by solver' if shortest_by_word(schedule) else 'feasible'}",
+        "feasible": f"{rank}\n{'shortest by solver' if by_word(schedule) else 'feasible'}",
         "infeasible": f"{rank}\ncannot be scheduled",
         "unknown": f"{rank}\nno schedule found",
     }[schedule.status]

@@ -11,6 +11,7 @@ from missiontree.mission.plan import Outcome, Plan
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.html.quantity import count, number
 from missiontree.reporting.html.times import lasts
+from missiontree.reporting.known import by_word
 from missiontree.reporting.text import best_scheduled
 
 Tone = Literal["good", "bad", "open"]
@@ -146,7 +147,9 @@ def utility_note(plan: Plan, rank: int) -> str:
 def makespan_note(schedule: Schedule) -> str:
     """What is known of the shortest makespan."""
     if schedule.status == "optimal":
-        return "none is shorter"
+        return f"none is shorter, by {schedule.certificate.method.replace('_', ' ')}"
+    if by_word(schedule):
+        return "optimal by the solver's word"
     bound = schedule.certificate.bound
     word = " by the solver's word" if schedule.certificate.claim == "solver_word" else ""
     return "" if bound is None else f"none is below {lasts(bound)}{word}"

@@ -9,8 +9,10 @@ from missiontree.mission.certificate import Certificate, Claim
 from missiontree.mission.plan import Plan
 from missiontree.reporting.html.quantity import number
 from missiontree.reporting.html.times import lasts
+from missiontree.reporting.known import by_word
 
 MOST_PROOFS = 80
+WORD = ", and is optimal by the solver's word"
 _CLAIMS: dict[Claim, str] = {
     "proven": "proven",
     "bounded": "bounded",
@@ -70,7 +72,7 @@ def _proofs(plan: Plan) -> Iterator[Proof]:
     for schedule in plan.schedules[:MOST_PROOFS]:
         says = {
             "optimal": f"none is shorter than {lasts(schedule.makespan_s)}",
-            "feasible": f"{lasts(schedule.makespan_s)} works",
+            "feasible": f"{lasts(schedule.makespan_s)} works{WORD if by_word(schedule) else ''}",
             "infeasible": "cannot be scheduled",
             "unknown": "no schedule found",
         }[schedule.status]

@@ -11,6 +11,7 @@ from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule, ScheduleStatus
 from missiontree.reporting.escape import one_line
+from missiontree.reporting.known import by_word
 from missiontree.reporting.references import refuse_damaged
 from missiontree.reporting.team.limits import LimitUse, limits_of
 
@@ -238,15 +239,10 @@ def _scheduled_words(schedule: Schedule | None) -> str:
         return ""
     return {
         "optimal": ", shortest, proven",
-        "feasible": ", shortest by the solver's word" if _by_word(schedule) else ", feasible, perhaps not shortest",
+        "feasible": ", shortest by the solver's word" if by_word(schedule) else ", feasible, perhaps not shortest",
         "infeasible": ", cannot be scheduled",
         "unknown": ", no schedule found",
     }[schedule.status]
-
-
-def _by_word(schedule: Schedule) -> bool:
-    certificate = schedule.certificate
-    return certificate.claim == "solver_word" and (certificate.bound or 0.0) >= schedule.makespan_s
 
 
 def _choices(plan: Plan, alternative: Alternative) -> Iterator[str]:

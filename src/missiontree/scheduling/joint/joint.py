@@ -275,7 +275,7 @@ def _solver(view: _View, known: Known, control: Control) -> None:
         form="own",
     )
     if other.verdict == "infeasible":
-        known.raise_bound(known.best.makespan, "two_models")
+        known.raise_bound(known.best.makespan, "second_formulation")
     elif other.start:  # the first model was wrong: the better schedule stands, and the solver's word does not
         known.offer(handed_out(problem, other.chosen, other.start))
         known.word = 0

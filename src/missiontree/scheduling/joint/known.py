@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from missiontree.mission.certificate import Certificate
-from missiontree.mission.tree_schedule import TreeSchedule
+from missiontree.mission.tree_schedule import TreeSchedule, TreeScheduleStatus
 from missiontree.scheduling.joint.listing import Listed
 
 DETAILS = {
     "critical_path": "Some path through the tree takes as long, whichever ways are taken.",
     "load": "Some robots have as much to do, whichever ways are taken.",
-    "two_models": "Two models of different form agree that nothing is shorter.",
+    "second_formulation": "Two models of different form agree that nothing is shorter.",
 }
 
 
@@ -53,10 +53,8 @@ class Known:
     def told(self) -> TreeSchedule:
         """The answer, with no more claimed than is known."""
         best, makespan = self.best, self.best.makespan
-        optimal = max(self.bound, self.word) >= makespan
-        return TreeSchedule(
-            "optimal" if optimal else "feasible", self._certificate(), best.chosen, best.start, best.robot, makespan
-        )
+        status: TreeScheduleStatus = "optimal" if self.closed else "feasible"
+        return TreeSchedule(status, self._certificate(), best.chosen, best.start, best.robot, makespan)
 
     def _certificate(self) -> Certificate:
         if self.closed or self.word <= self.bound:
@@ -69,4 +67,4 @@ class Known:
             )
         bound = min(self.word, self.best.makespan)
         said = "By the solver's word; no bound of missiontree's own and no second method confirms it."
-        return Certificate(claim="bounded", method="cp_sat", bound=float(bound), detail=said)
+        return Certificate(claim="solver_word", method="cp_sat", bound=float(bound), detail=said)
