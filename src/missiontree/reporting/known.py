@@ -9,6 +9,7 @@ from missiontree.reporting.gantt.time import in_words
 _HOW = {
     "critical_path": "a bound (critical path)",
     "load": "a bound (load)",
+    "resource_load": "a bound (resource load)",
     "second_formulation": "a second formulation",
     "enumeration": "enumeration",
     "labels": "a complete search (labels)",
