@@ -5,7 +5,8 @@ Does a damaged plan pass? Sound plans with some sixty kinds of damage, through b
 
     python -m benchmarks.damaged_plans --count 63000 --seed 1 --state damaged.json
 
-Sound plans are made of random missions over every kind of map, half of them under rules for the whole mission. In each way they are
+Sound plans are made of random missions over every kind of map, half of them under rules for the whole mission, and half of them with a
+front and a choice. In each way they are
 damaged one after the other, at up to eight places of each plan, no two alike. A plan whose inputs were changed is given their digests, so
 that it is the rule that must tell, not the fingerprint.
 """
@@ -13,6 +14,7 @@ that it is the rule that must tell, not the fingerprint.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from functools import cache, lru_cache
 from itertools import count, islice
 
@@ -44,7 +46,9 @@ def base(seed: int, number: int) -> Plan | None:
     """A sound plan of that number, all of whose alternatives are scheduled; None if the mission of that number gives none."""
     if number < len(PLANS):
         return list(PLANS.values())[number]()
-    plan = made(*(ruled_mission if number % 2 else random_mission)(seed * MANY + number))
+    tree, brief = (ruled_mission if number % 2 else random_mission)(seed * MANY + number)
+    weighed = number % 4 < 2  # half of all plans have a front and a choice
+    plan = made(tree, replace(brief, objective="makespan") if weighed else brief, front=weighed)
     works = plan.schedules and all(one.status in {"optimal", "feasible"} for one in plan.schedules)
     return plan if plan.outcome == "delivered" and works else None
 

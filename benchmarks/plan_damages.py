@@ -72,6 +72,15 @@ def precedence_reversed(plan: Plan) -> Iterator[Plan]:
                 yield with_schedule(plan, place, actions=moved)
 
 
+def option_proven_by_nothing(plan: Plan) -> Iterator[Plan]:
+    """A proven option of a front is given a schedule that is not proven shortest."""
+    options = list(plan.front.options) if plan.front is not None else []
+    for place, option in enumerate(options):
+        if option.certificate.claim == "proven":
+            loose = replace(option, schedule=known.feasible(option.schedule))
+            yield known.with_options(plan, [*options[:place], loose, *options[place + 1 :]])
+
+
 def below(plan: Plan, schedule: Schedule, node: int) -> set[int]:
     """Scheduled leaves below a node."""
     nodes, found = grounded_tree(plan).nodes, set()
@@ -243,6 +252,10 @@ WAYS = (
     Way("bound above the makespan", known.bound_raised, "bound_above_makespan", "core_claims"),
     Way("witness of another type", known.witness_of_wrong_type, "witness_broken", "core_staffing"),
     Way("witness cut", known.witness_cut, "witness_incomplete", "core_staffing"),
+    Way("front turned round", known.front_turned, "front_dominated", "core_best"),
+    Way("option proven by nothing", option_proven_by_nothing, "front_claim_unfounded", "core_best"),
+    Way("choice of a slower one", known.choice_of_a_slower_one, "chosen_beaten", "core_best"),
+    Way("worth of the choice changed", known.worth_changed, "chosen_worth_wrong", "core_best"),
     Way("schedule left out", known.schedule_lost, "schedule_astray", "core_schedules"),
     Way("action left out", known.action_dropped, "action_missing", "core_actions"),
     Way("action twice", known.action_doubled, "action_double", "core_actions"),

@@ -6,11 +6,11 @@ import ast
 from pathlib import Path
 
 import missiontree
-from missiontree.checking.methods import BOUND_PROOFS, IMPOSSIBILITY_PROOFS, RANKING_PROOFS, SEARCHES
+from missiontree.checking.methods import BOUND_PROOFS, CHOICE_PROOFS, IMPOSSIBILITY_PROOFS, RANKING_PROOFS, SEARCHES
 
 ROOT = Path(missiontree.__file__).parent
 DOCS = Path(__file__).parents[1] / "docs/reference/checks.md"
-KNOWN = RANKING_PROOFS | BOUND_PROOFS | IMPOSSIBILITY_PROOFS | SEARCHES
+KNOWN = RANKING_PROOFS | BOUND_PROOFS | IMPOSSIBILITY_PROOFS | SEARCHES | CHOICE_PROOFS
 
 
 def named_in(stage: str) -> set[str]:

@@ -22,6 +22,7 @@ from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.goal import in_words
 from missiontree.mission.magnitude import refuse_huge
+from missiontree.mission.objective import OBJECTIVES, Objective
 from missiontree.mission.routine import Routine
 from missiontree.mission.scene import Scene
 from missiontree.mission.terms import MinQuality
@@ -40,6 +41,7 @@ ARGUMENTS: dict[str, tuple[tuple[type, ...], str]] = {
     "k": ((int,), "a whole number of at least 1"),
     "allocator": ((str,), "the name of an allocator"),
     "scheduler": ((str,), "the name of a scheduler"),
+    "front": ((bool,), "true or false"),
     "model": ((str, Callable), "offline, recorded:<file>, PROVIDER:NAME, or a chat model"),  # type: ignore[dict-item]
     "base_url": ((str,), "the address of an endpoint, such as http://localhost:8000/v1"),
     "budgets": ((Budgets,), "Budgets"),
@@ -70,6 +72,8 @@ class Request:
         Name of the method of allocation.
     scheduler
         Name of the method of scheduling.
+    front
+        Whether the utility-makespan front is sought, beside the alternatives.
     model
         Name of the author, or a chat model of the caller's own.
     base_url
@@ -94,6 +98,7 @@ class Request:
     k: int = DEFAULT_K
     allocator: str = "exact"
     scheduler: str = "greedy"
+    front: bool = False
     model: str | ChatModel = "offline"
     base_url: str = ""
     budgets: Budgets = Budgets()
@@ -121,6 +126,7 @@ def request_from(
     diverse: bool | None = None,
     parts: Mapping[str, float] | None = None,
     return_home: bool | None = None,
+    objective: Objective | None = None,
     project: Path | None = None,
     **options: Any,
 ) -> Request:
@@ -138,7 +144,7 @@ def request_from(
         Routines, or files of them, beside the built-in ones.
     methods
         Files of the user's own, beside the built-in ones.
-    weights, check_kinds, accumulate, diverse, return_home
+    weights, check_kinds, accumulate, diverse, return_home, objective
         See :class:`MissionBrief`.
     without, require
         Robot types and robots that take no part, or must; added to those of the mission file.
@@ -151,7 +157,7 @@ def request_from(
     project
         A mission file whose fleet, scene, routines and methods are taken up when the mission is given in words.
     options
-        ``k``, ``allocator``, ``scheduler``, ``model``, ``base_url``, ``budgets``, ``seed``; None stands for "not given".
+        ``k``, ``allocator``, ``scheduler``, ``front``, ``model``, ``base_url``, ``budgets``, ``seed``; None stands for "not given".
 
     Raises
     ------
@@ -160,7 +166,7 @@ def request_from(
     """
     _refuse_others(mission=mission, fleet=fleet, scene=scene, routines=routines, methods=methods, **options)
     _refuse_others(mission=mission, without=without, require=require, min_quality=min_quality)
-    _refuse_other_aims(accumulate, diverse)
+    _refuse_other_aims(accumulate, diverse, objective)
     if return_home is not None and not isinstance(return_home, bool):
         raise InputError(f"return_home is {return_home!r:.60}", accepted="true or false")
     if isinstance(mission, str) and mission.endswith(MISSION_FILES):
@@ -202,6 +208,7 @@ def request_from(
             diverse=file.diverse if diverse is None else diverse,
             parts=parts if parts is not None else file.parts if isinstance(mission, Path) else {},
             return_home=file.return_home if return_home is None else return_home,
+            objective=file.objective if objective is None else objective,
         )
         refuse_huge(brief.fleet, brief.routines, brief.weights)
     except ValueError as error:
@@ -231,20 +238,26 @@ def request_from(
         "model": file.model or "offline",
         "seed": file.seed,
     }
-    return replace(request, **named | {name: value for name, value in options.items() if value is not None})
+    asked = named | {name: value for name, value in options.items() if value is not None}
+    if asked["scheduler"] is None:
+        asked["scheduler"] = "auto" if asked.get("front") or brief.objective != "utility" else "greedy"
+    return replace(request, **asked)
 
 
 def _refuse_others(**given: Any) -> None:
     """Refuse an argument of another type than its own, in words."""
     for name, value in given.items():
         types, accepted = ARGUMENTS[name]
-        if (value is not None or name == "mission") and (not isinstance(value, types) or isinstance(value, bool)):
+        wrong = not isinstance(value, types) or (isinstance(value, bool) and bool not in types)
+        if (value is not None or name == "mission") and wrong:
             raise InputError(f"{name} is {value!r:.60}", accepted=accepted)
     if given.get("k") is not None and given["k"] < 1:
         raise InputError(f"k is {given['k']}", accepted=ARGUMENTS["k"][1])
 
 
-def _refuse_other_aims(accumulate: object, diverse: object) -> None:
+def _refuse_other_aims(accumulate: object, diverse: object, objective: object) -> None:
+    if objective is not None and objective not in OBJECTIVES:
+        raise InputError(f"objective is {objective!r:.60}", accepted=", ".join(OBJECTIVES))
     if accumulate is not None and accumulate not in get_args(Accumulate):
         raise InputError(f"accumulate is {accumulate!r:.60}", accepted="sum, mean or min")
     if diverse is not None and not isinstance(diverse, bool):

@@ -24,6 +24,7 @@ from missiontree.authoring.outcome import Authored
 from missiontree.authoring.transcript import Origin, replay
 from missiontree.briefing import Request, request_from
 from missiontree.checking import check
+from missiontree.choosing.choose import NOTHING, Choice, choose
 from missiontree.errors import InputError, InternalError
 from missiontree.estimation.estimator import Estimator
 from missiontree.formats.inputs import input_digests
@@ -37,6 +38,7 @@ from missiontree.mission.control import Control
 from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Grounding
+from missiontree.mission.objective import Objective
 from missiontree.mission.plan import Outcome, Plan, Provenance
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Routine
@@ -54,6 +56,7 @@ ALLOCATION_SHARE = 0.6
 CHECKING, CHECKING_EACH = 2.0, 1.0
 """What checking takes, as a whole and for each alternative, in units of what grounding took: so much of a time limit is kept for it."""
 MOST_FOR_CHECKING = 0.5
+RANKING_SHARE = 0.5  # of the time, where alternatives and schedules are weighed against each other afterwards
 RECORDED = "recorded:"
 CALLED = re.compile(r" \([a-z]+[A-Z]\w*\)")  # names of functions, in hints that are worded for a model
 
@@ -74,9 +77,11 @@ def plan(
     accumulate: Accumulate | None = None,
     diverse: bool | None = None,
     return_home: bool | None = None,
+    objective: Objective | None = None,
     k: int | None = None,
     allocator: str | None = None,
     scheduler: str | None = None,
+    front: bool = False,
     model: str | ChatModel | None = None,
     base_url: str | None = None,
     budgets: Budgets | None = None,
@@ -120,12 +125,20 @@ def plan(
     return_home
         Whether each robot that takes part goes back to where it started, after its last action. Default: as the mission file says,
         else false.
+    objective
+        What decides which alternative is chosen, schedules included: ``utility`` (default), ``makespan``, ``utility-makespan``,
+        ``weighted-team`` or ``weighted-sum``; see :data:`missiontree.mission.objective.Objective`. ``Plan.chosen`` holds it. Ranks go
+        by utility alone.
     k
         How many alternatives are asked for, at least 1. Default 4.
     allocator
         ``exact`` (default), ``pruned``, ``pruned_as_printed`` or ``exhaustive``. Those that prune rank by sums alone.
     scheduler
-        ``greedy`` (default), ``cpsat``, or ``auto``: greedy, then constraint programming where that is quick.
+        ``greedy``, ``cpsat``, or ``auto``: greedy, then constraint programming where that is quick. Default: ``greedy``; ``auto`` if the
+        objective looks at schedules, or a front is asked for.
+    front
+        Whether the utility-makespan front is sought, beside the alternatives: plans from the best staffed to the fastest, in
+        ``Plan.front``. Default false.
     model
         ``offline`` (default), ``recorded:<file>`` to replay a transcript, a language model such as ``openai:NAME`` (see
         :mod:`missiontree.llm.opening`), or a chat model of your own: anything that fits :class:`missiontree.llm.chat.ChatModel`.
@@ -163,9 +176,11 @@ def plan(
         accumulate=accumulate,
         diverse=diverse,
         return_home=return_home,
+        objective=objective,
         k=k,
         allocator=allocator,
         scheduler=scheduler,
+        front=front,
         model=model,
         base_url=base_url,
         budgets=budgets,
@@ -202,8 +217,14 @@ def plan_authored(request: Request, authored: Authored, control: Control) -> Pla
     grounding = ground(authored.tree, request.brief, request.estimator)
     scene = request.brief.world.extended(authored.tree.entities)
     checking_s = (control.clock() - begun) * (CHECKING + CHECKING_EACH * request.k)
-    ranking, schedules = staff_and_schedule(grounding, request, scene, control.without(checking_s, MOST_FOR_CHECKING))
-    made = _told(request, authored, grounding, ranking, schedules)
+    work = control.without(checking_s, MOST_FOR_CHECKING)
+    choosing = request.front or request.brief.objective != "utility"
+    ranking, schedules = staff_and_schedule(grounding, request, scene, work.part(RANKING_SHARE) if choosing else work)
+    choice = NOTHING
+    if choosing and any(schedule.status in {"optimal", "feasible"} for schedule in schedules):
+        with_ = SCHEDULERS[request.scheduler]
+        choice = choose(grounding.tree, request.brief, scene, with_, work, ranking, schedules, request.front)
+    made = _told(request, authored, grounding, ranking, schedules, choice)
     faults = check(made)
     if faults and request.scheduler != PLAIN_SCHEDULER:
         plain = plan_authored(replace(request, scheduler=PLAIN_SCHEDULER), authored, control)
@@ -312,10 +333,13 @@ def _told(
     grounding: Grounding | None = None,
     ranking: Ranking | None = None,
     schedules: tuple[Schedule, ...] = (),
+    choice: Choice = NOTHING,
 ) -> Plan:
     """Put everything known into one value."""
     outcome, reasons = _outcome(authored, grounding, ranking, schedules, request.brief.diverse)
-    scheduled = [reason for schedule in schedules for reason in schedule.assumptions]
+    options = [*(choice.front.options if choice.front else ()), *([choice.chosen.option] if choice.chosen else ())]
+    all_schedules = [*schedules, *(option.schedule for option in options)]
+    scheduled = [reason for schedule in all_schedules for reason in schedule.assumptions]
     warnings = [notice for notice in authored.notices if notice.severity == "warning"]
     notices = [notice for notice in authored.notices if notice.severity != "warning"]
     found = grounding.findings if grounding else ()
@@ -327,6 +351,8 @@ def _told(
         grounding=grounding,
         ranking=ranking,
         schedules=schedules,
+        chosen=choice.chosen,
+        front=choice.front,
         reasons=reasons,
         notices=_distinct([*notices, *(grounding.notices if grounding else ())]),
         assumptions=_distinct([*authored.assumptions, *(grounding.assumptions if grounding else ()), *scheduled]),

@@ -19,6 +19,7 @@ from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Estimate
 from missiontree.mission.estimator_source import Estimated
 from missiontree.mission.fleet import Robot, RobotType
+from missiontree.mission.front import Option
 from missiontree.mission.grounded import GroundedNode, GroundedTree, Grounding
 from missiontree.mission.limit_use import LimitUse
 from missiontree.mission.partial import LeftOut
@@ -1500,6 +1501,134 @@ def a_solver_s_word_called_a_bound(plan: Plan) -> Iterator[Plan]:
         yield with_schedule(plan, place, status="feasible", certificate=certificate)
         certificate = replace(schedule.certificate, claim="solver_word", method="critical_path")
         yield with_schedule(plan, place, status="feasible", certificate=certificate)
+
+
+# Fronts and choices
+
+
+def with_options(plan: Plan, options: list[Option], **changes: Any) -> Plan:
+    """The plan with these options on its front, numbered anew."""
+    assert plan.front is not None
+    numbered = tuple(
+        replace(one, alternative=replace(one.alternative, rank=rank), schedule=replace(one.schedule, rank=rank))
+        for rank, one in enumerate(options, start=1)
+    )
+    return replace(plan, front=replace(plan.front, options=numbered, **changes))
+
+
+def with_chosen(plan: Plan, **changes: Any) -> Plan:
+    assert plan.chosen is not None
+    return replace(plan, chosen=replace(plan.chosen, option=replace(plan.chosen.option, **changes)))
+
+
+def feasible(schedule: Schedule) -> Schedule:
+    """The schedule, no longer called the shortest."""
+    certificate = Certificate(claim="bounded", method="critical_path", bound=schedule.makespan_s / 2)
+    return replace(schedule, status="feasible", certificate=certificate)
+
+
+@breaks("front_uncalled")
+def front_of_nothing(plan: Plan) -> Iterator[Plan]:
+    if plan.front is not None:
+        yield with_options(plan, [])
+        yield replace(plan, outcome="exhausted")
+
+
+@breaks("front_dominated")
+def front_turned(plan: Plan) -> Iterator[Plan]:
+    """The fastest first; or an option twice; or one that is slower than its listed self."""
+    options = list(plan.front.options) if plan.front is not None else []
+    if len(options) > 1:
+        yield with_options(plan, options[::-1])
+    for place, option in enumerate(options):
+        yield with_options(plan, [*options[: place + 1], *options[place:]])
+        slow = replace(option.schedule, makespan_s=option.schedule.makespan_s + 1)
+        listed = plan.ranking.alternatives if plan.ranking is not None else ()
+        if any(one.choices == option.alternative.choices for one in listed):
+            yield with_options(plan, [*options[:place], replace(option, schedule=slow), *options[place + 1 :]])
+
+
+@breaks("front_incomplete")
+def option_dropped(plan: Plan) -> Iterator[Plan]:
+    """An option less than there are; or more than there are; or, of listed alternatives, one that nothing else covers."""
+    options = list(plan.front.options) if plan.front is not None else []
+    for place in range(len(options) if len(options) > 1 else 0):
+        left = options[:place] + options[place + 1 :]
+        yield with_options(plan, left)
+        if any(one.choices == options[place].alternative.choices for one in (plan.ranking or plan).alternatives):  # type: ignore[union-attr]
+            yield with_options(plan, left, found=len(left))
+    for found in {1, len(options) + 1} - {len(options)} if options else ():
+        yield with_options(plan, options, found=found)
+
+
+@breaks("front_claim_unfounded")
+def proof_of_an_option_without_one(plan: Plan) -> Iterator[Plan]:
+    """An option is proven, and its schedule no longer; or the front is and an option is not; or by a method that nobody knows."""
+    options = list(plan.front.options) if plan.front is not None else []
+    for place, option in enumerate(options):
+        if option.certificate.claim == "proven":
+            loose = replace(option, schedule=feasible(option.schedule))
+            yield with_options(plan, [*options[:place], loose, *options[place + 1 :]])
+    for place, option in enumerate(options):
+        magic = replace(option, certificate=replace(option.certificate, method="magic"))
+        yield with_options(plan, [*options[:place], magic, *options[place + 1 :]])
+        if plan.front is not None and plan.front.certificate.claim == "proven":
+            unproven = replace(option, certificate=replace(option.certificate, claim="unproven"))
+            yield with_options(plan, [*options[:place], unproven, *options[place + 1 :]])
+
+
+@breaks("chosen_missing")
+def choice_dropped_or_uncalled(plan: Plan) -> Iterator[Plan]:
+    if plan.chosen is not None:
+        yield replace(plan, chosen=None)
+        yield replace(plan, brief=replace(plan.brief, objective="utility"))
+    elif plan.outcome == "delivered":
+        yield replace(plan, brief=replace(plan.brief, objective="makespan"))
+
+
+@breaks("chosen_worth_wrong")
+def worth_changed(plan: Plan) -> Iterator[Plan]:
+    if plan.chosen is not None:
+        for by in (1.0, -1.0, 0.01):
+            yield replace(plan, chosen=replace(plan.chosen, worth=plan.chosen.worth + by))
+
+
+@breaks("chosen_beaten")
+def choice_of_a_slower_one(plan: Plan) -> Iterator[Plan]:
+    """Where the fastest is to be chosen, a slower one of the front, or of the list, is."""
+    if plan.chosen is None or plan.brief.objective != "makespan":
+        return
+    pairs = [(one.alternative, one.schedule) for one in (plan.front.options if plan.front is not None else ())]
+    pairs += zip(plan.ranking.alternatives if plan.ranking is not None else (), plan.schedules, strict=True)
+    for alternative, schedule in pairs:
+        if schedule.actions and schedule.makespan_s > plan.chosen.worth:
+            certificate = replace(plan.chosen.option.certificate, claim="unproven", bound=None)
+            slower = with_chosen(
+                plan,
+                alternative=replace(alternative, rank=1, certificate=plan.chosen.option.alternative.certificate),
+                schedule=replace(schedule, rank=1),
+                certificate=certificate,
+            )
+            assert slower.chosen is not None
+            yield replace(slower, chosen=replace(slower.chosen, worth=schedule.makespan_s))
+
+
+@breaks("chosen_claim_unfounded")
+def choice_overclaimed(plan: Plan) -> Iterator[Plan]:
+    """The bound says that the choice cannot be; or a proof names what ended it, or rests on a schedule that is not proven."""
+    if plan.chosen is None:
+        return
+    option, certificate = plan.chosen.option, plan.chosen.option.certificate
+    if certificate.bound is not None:
+        by = -1.0 if plan.brief.objective.startswith("weighted") else 1.0
+        yield with_chosen(plan, certificate=replace(certificate, bound=plan.chosen.worth + by))
+        yield with_chosen(plan, certificate=replace(certificate, bound=None))
+        yield with_chosen(plan, certificate=replace(certificate, claim="unproven"))
+    yield with_chosen(plan, certificate=replace(certificate, method="magic"))
+    if certificate.claim == "proven":
+        yield with_chosen(plan, certificate=replace(certificate, limit=SearchLimit("stopped")))
+        if plan.brief.objective != "weighted-sum":
+            yield with_chosen(plan, schedule=feasible(option.schedule))
 
 
 @breaks("claim_unfounded")

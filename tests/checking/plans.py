@@ -9,6 +9,8 @@ from missiontree.allocation.aimed import allocator_for
 from missiontree.allocation.flat import flatten
 from missiontree.authoring.author import authored_from_tree
 from missiontree.briefing import Request
+from missiontree.choosing.choose import NOTHING as NO_CHOICE
+from missiontree.choosing.choose import choose
 from missiontree.estimation.estimator import Estimator
 from missiontree.estimation.own import own_estimator
 from missiontree.explaining.nearest import nearest_part
@@ -44,6 +46,7 @@ def made(
     allocator: str = "exact",
     estimator: Estimator | None = None,
     scheduler: str = "greedy",
+    front: bool = False,
 ) -> Plan:
     """The plan that missiontree makes of a tree."""
     grounding = ground(tree, brief, estimator)
@@ -54,10 +57,17 @@ def made(
         SCHEDULERS[scheduler](grounding.tree, alternative, brief.fleet, scene, Control(), brief.terms)
         for alternative in ranking.alternatives
     )
+    works = any(schedule.status in {"optimal", "feasible"} for schedule in schedules)
+    choice = NO_CHOICE
+    if works and (front or brief.objective != "utility"):
+        choice = choose(grounding.tree, brief, scene, SCHEDULERS[scheduler], Control(), ranking, schedules, front)
     complete = ranking.status == "exact" and ranking.certificate.bound is None and not brief.diverse
     impossible = complete and all(schedule.status == "infeasible" for schedule in schedules)
     undelivered: Outcome = "cannot_be_done" if impossible or ranking.status == "infeasible" else "exhausted"
-    works = any(schedule.status in {"optimal", "feasible"} for schedule in schedules)
+    options = (*(choice.front.options if choice.front else ()), *([choice.chosen.option] if choice.chosen else ()))
+    assumed = [
+        one for schedule in (*schedules, *(option.schedule for option in options)) for one in schedule.assumptions
+    ]
     reasons = tuple(reason for schedule in schedules for reason in schedule.reasons) + ranking.reasons
     return Plan(
         outcome="delivered" if works else undelivered,
@@ -66,11 +76,11 @@ def made(
         grounding=grounding,
         ranking=ranking,
         schedules=schedules,
+        chosen=choice.chosen,
+        front=choice.front,
         reasons=() if works else reasons + grounding.not_offered or (NOTHING_FOUND,),
         notices=grounding.notices,
-        assumptions=tuple(
-            dict.fromkeys([*grounding.assumptions, *(one for schedule in schedules for one in schedule.assumptions)])
-        ),
+        assumptions=tuple(dict.fromkeys([*grounding.assumptions, *assumed])),
         findings=grounding.findings,
         digests=input_digests(brief, tree),
         provenance=Provenance(author="given"),
@@ -532,6 +542,52 @@ def homeward() -> Plan:
     return made(tree, brief)
 
 
+def supplies() -> tuple[MissionTree, Fleet, Scene]:
+    """Medicine and blankets for a clinic, a mule that does it well, and a runner that does it fast."""
+    fleet = Fleet(
+        types=tuple(
+            RobotType(
+                id=name,
+                capabilities={"reach": Capability(quality), "carry": Capability(quality)},
+                limits={"max_speed_mps": speed, "payload_kg": 50.0},
+                count=1,
+                place="depot",
+            )
+            for name, quality, speed in (("mule", 1.0, 1.0), ("runner", 0.8, 4.0))
+        )
+    )
+    where = {"depot": (0.0, 0.0), "clinic": (120.0, 0.0), "medicine": (20.0, 0.0), "blankets": (0.0, 10.0)}
+    scene = Scene(
+        entities=tuple(
+            Entity(
+                id=name, kind="place" if name in {"depot", "clinic"} else "object", mass_kg=2.0, position=Position(*at)
+            )
+            for name, at in where.items()
+        )
+    )
+    tree = flat_tree(
+        routine_node("first", "ReachAndTransport", agent="medicine", location="clinic"),
+        routine_node("second", "ReachAndTransport", agent="blankets", location="clinic"),
+    )
+    return tree, fleet, scene
+
+
+@cache
+def trade() -> Plan:
+    """A front of three plans, the fastest of which is chosen and not listed."""
+    tree, fleet, scene = supplies()
+    brief = brief_of(tree, fleet, scene=scene, objective="makespan")
+    return made(tree, brief, k=2, scheduler="auto", front=True)
+
+
+@cache
+def weighed() -> Plan:
+    """A choice by weighted worth, of which a bound is known."""
+    tree, fleet, scene = supplies()
+    brief = brief_of(tree, fleet, scene=scene, objective="weighted-sum", weights=Weights(1.0, 0.01))
+    return made(tree, brief, scheduler="auto")
+
+
 PLANS = {
     "partial": partial,
     "homeward": homeward,
@@ -547,4 +603,6 @@ PLANS = {
     "bounded": bounded,
     "learned": learned,
     "hurried": hurried,
+    "trade": trade,
+    "weighed": weighed,
 }

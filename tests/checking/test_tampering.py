@@ -29,6 +29,7 @@ FREE = tuple(
     for pattern in (
         # words for the reader
         r"(ranking|ranking/alternatives/\d+|schedules/\d+)/certificate/detail",
+        r"(front|front/options/\d+|chosen/option)(/alternative|/schedule)?/certificate/detail",
         r"ranking/(examined|reasons(/\d+(/\w+)?)?)",
         r"(assumptions|notices)/\d+/(rule|message|hint|found|needed|severity)",  # the author's; grounding's are compared
         # what an estimator of the user's own said of those who are not good enough, and more than is asked of it
@@ -43,10 +44,11 @@ AS_SOUND = tuple(
     re.compile(pattern)
     for pattern in (
         # a detour, a robot that sets out at another time, a following that starts at another time
-        r"schedules/\d+/legs/\d+/(distance_m|start_s|end_s)",
-        r"schedules/\d+/actions/\d+/start_s",
+        r"(schedules/\d+|front/options/\d+/schedule|chosen/option/schedule)/legs/\d+/(distance_m|start_s|end_s)",
+        r"(schedules/\d+|front/options/\d+/schedule|chosen/option/schedule)/actions/\d+/start_s",
         # a weaker claim than could be made
         r"(ranking|ranking/alternatives/\d+|schedules/\d+)/certificate/(bound|claim)",
+        r"(front|front/options/\d+|chosen/option)(/schedule)?/certificate/(bound|claim)",
     )
 )
 """Fields that are checked, and in which another value may be just as sound."""

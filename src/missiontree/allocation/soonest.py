@@ -40,6 +40,25 @@ def strike_late(flat: Flat, possible: list[bool]) -> list[TooLate]:
     return sweep.struck
 
 
+def soonest_end(flat: Flat, possible: list[bool]) -> int:
+    """
+    A tick before which the mission does not end, whatever is chosen; 0 where nothing is known of time.
+
+    Parameters
+    ----------
+    flat
+        The problem.
+    possible
+        Which nodes can be done; it is left as it is.
+    """
+    if flat.timing is None:
+        return 0
+    sweep = _Sweep(flat, flat.timing, list(possible), strikes=False)
+    for node in range(len(flat.kind) - 1, -1, -1):
+        sweep.visit(node)
+    return sweep.end[0]
+
+
 class _Sweep:
     """The least times of the nodes below, as far as the sweep has come."""
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from missiontree.checking import (
     abilities,
     budgets,
+    chosen,
     claims,
     durations,
     estimates,
+    front,
     grounding,
     holding,
     inputs,
@@ -34,6 +37,7 @@ from missiontree.checking import (
 )
 from missiontree.checking.case import Case, Rule
 from missiontree.checking.fault import Fault
+from missiontree.mission.as_ranking import as_ranking
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
@@ -173,9 +177,26 @@ SCHEDULE_RULES: tuple[Rule, ...] = (
     proofs.claim_unfounded,
 )
 """Those that look at schedules beside the alternatives they belong to."""
-RULES: tuple[Rule, ...] = (*_PLAN_RULES, *SCHEDULE_RULES)
+_CHOICE_RULES: tuple[Rule, ...] = (
+    front.front_uncalled,
+    front.front_dominated,
+    front.front_incomplete,
+    front.front_claim_unfounded,
+    chosen.chosen_missing,
+    chosen.chosen_worth_wrong,
+    chosen.chosen_beaten,
+    chosen.chosen_claim_unfounded,
+)
+RULES: tuple[Rule, ...] = (*_PLAN_RULES, *SCHEDULE_RULES, *_CHOICE_RULES)
 """Every rule, in the order of its findings. The name of the function is the code of the rule."""
 
+_OF_ALTERNATIVES = {module.__name__ for module in (selection, roles, ranking, witness, times, uses)}
+OPTION_RULES: tuple[Rule, ...] = (
+    notes.assumption_missing,
+    *(rule for rule in _PLAN_RULES if rule.__module__ in _OF_ALTERNATIVES),
+    *SCHEDULE_RULES,
+)
+"""What the options of a front, and what is chosen, must keep as alternatives and schedules."""
 _UNJUDGED = Certificate(claim="unproven", method="enumeration")
 
 
@@ -219,13 +240,25 @@ def check_schedules(plan: Plan) -> tuple[Reason, ...]:
 def _checked(plan: Plan, rules: tuple[Rule, ...]) -> tuple[Reason, ...]:
     case = Case(plan)
     findings = tuple(_reason(rule, fault) for rule in rules for fault in rule(case))
-    return findings or tuple(recheck(plan))
+    return findings or tuple(_of_options(plan)) or tuple(recheck(plan))
 
 
-def _reason(rule: Rule, fault: Fault) -> Reason:
+def _of_options(plan: Plan) -> Iterator[Reason]:
+    """Findings on the options of the front and on what is chosen."""
+    front = plan.front.options if plan.front is not None else ()
+    chosen = (plan.chosen.option,) if plan.chosen is not None else ()
+    anyone = replace(plan, brief=replace(plan.brief, diverse=False)) if plan.brief.diverse else plan
+    for where, options in (("On the front, ", front), ("In what is chosen, ", chosen)):
+        if options:
+            case = Case(as_ranking(anyone, options))
+            yield from (_reason(rule, fault, where) for rule in OPTION_RULES for fault in rule(case))
+
+
+def _reason(rule: Rule, fault: Fault, where: str = "") -> Reason:
+    message = where + fault.message
     return Reason(
         rule=rule.__name__,
-        message=fault.message[:1].upper() + fault.message[1:],
+        message=message[:1].upper() + message[1:],
         node=fault.node,
         robot=fault.robot,
         found=fault.found,

@@ -6,6 +6,9 @@ BY_AIM = frozenset({"dinkelbach", "bottleneck", "team_partition"})
 RANKING_PROOFS = BY_AIM | {"lazy_k_best", "branch_and_bound", "pool", "enumeration", "algorithm_1", "least_use"}
 """How alternatives are ranked, and shown to be none."""
 
+CHOICE_PROOFS = frozenset({"epsilon_constraint", "best_first"})
+"""How fronts and choices by an objective are made."""
+
 BOUND_PROOFS = frozenset({"critical_path", "load", "resource_load", "second_formulation", "enumeration"})
 """Why no schedule is shorter."""
 

@@ -10,7 +10,14 @@ from missiontree.checking.clock import TOLERANCE, shown, tick
 from missiontree.checking.fault import Fault
 from missiontree.checking.haunts import ANYWHERE, Haunts
 from missiontree.checking.lower_bound import least_makespan
-from missiontree.checking.methods import BOUND_PROOFS, IMPOSSIBILITY_PROOFS, RANKING_PROOFS, SEARCHES, SOLVERS
+from missiontree.checking.methods import (
+    BOUND_PROOFS,
+    CHOICE_PROOFS,
+    IMPOSSIBILITY_PROOFS,
+    RANKING_PROOFS,
+    SEARCHES,
+    SOLVERS,
+)
 from missiontree.checking.timetable import Timetable
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.schedule import Schedule
@@ -57,7 +64,8 @@ def _certificates(case: Case) -> Iterator[tuple[str, Certificate, frozenset[str]
     if ranking is not None:
         yield "the ranking", ranking.certificate, RANKING_PROOFS
         for alternative in ranking.alternatives:
-            yield f"alternative {alternative.rank}", alternative.certificate, RANKING_PROOFS
+            options = CHOICE_PROOFS if alternative.certificate.claim == "unproven" else frozenset()
+            yield f"alternative {alternative.rank}", alternative.certificate, RANKING_PROOFS | options
     for schedule in case.plan.schedules:
         by_status = {"infeasible": IMPOSSIBILITY_PROOFS, "unknown": SEARCHES | BOUND_PROOFS}
         methods = by_status.get(schedule.status, BOUND_PROOFS)

@@ -35,6 +35,15 @@ def too_late(case: Case, staffing: Staffing) -> TooLate | None:
     return next((one for one in late if end[one.leaf] > one.deadline), None)
 
 
+def soonest_end(case: Case, staffing: Staffing) -> int:
+    """Ticks before which no schedule of an alternative ends, by what allocation knows; 0 if something waits for itself."""
+    release = {leaf: one.release for leaf, one in windows(case, staffing).items()}
+    lengths = (max(action.duration_s, action.travel_at_least_s) for action in staffing.actions.values())
+    last = max(release.values(), default=0) + sum(ticks_needed(length) * 2 for length in lengths) + 1
+    end = max(_ends(staffing, release, last).values(), default=0)
+    return 0 if end >= last else end
+
+
 def _ends(staffing: Staffing, release: dict[int, int], last: int) -> dict[int, int]:
     actions = staffing.actions
     start = {leaf: release.get(leaf, 0) for leaf in actions}

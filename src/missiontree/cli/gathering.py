@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from missiontree.briefing import Request
     from missiontree.mission.aim import Accumulate
     from missiontree.mission.estimate import Weights
+    from missiontree.mission.objective import Objective
     from missiontree.mission.terms import MinQuality
 
 
@@ -33,6 +34,8 @@ def gather(
     accumulate: str | None = None,
     diverse: bool | None = None,
     return_home: bool | None = None,
+    objective: str | None = None,
+    front: bool = False,
     k: int | None,
     allocator: str | None,
     model: str | None,
@@ -70,10 +73,12 @@ def gather(
         accumulate=accumulate_named(accumulate),
         diverse=diverse,
         return_home=return_home,
+        objective=objective_named(objective),
         project=project,
         k=k,
         allocator=allocator,
         scheduler=scheduler,
+        front=front,
         model=model,
         base_url=base_url,
         budgets=budgets,
@@ -96,6 +101,22 @@ def accumulate_named(text: str | None) -> Accumulate | None:
     if text is not None and text not in get_args(Accumulate):
         raise InputError(f"--accumulate {text}", accepted="sum, mean or min")
     return cast("Accumulate | None", text)
+
+
+def objective_named(text: str | None) -> Objective | None:
+    """
+    What ``--objective`` asks for; None if it is not given.
+
+    Raises
+    ------
+    InputError
+        If it is none of those there are.
+    """
+    from missiontree.mission.objective import OBJECTIVES
+
+    if text is not None and text not in OBJECTIVES:
+        raise InputError(f"--objective {text}", accepted=", ".join(OBJECTIVES))
+    return text
 
 
 def author_named(model: str | None, replay: Path | None) -> str | None:

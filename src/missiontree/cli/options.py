@@ -117,6 +117,21 @@ ReturnHomeFlag = Annotated[
         "else no.",
     ),
 ]
+ObjectiveText = Annotated[
+    str | None,
+    typer.Option(
+        "--objective",
+        metavar="WHAT",
+        help=(
+            "What decides which alternative is chosen: utility (default), makespan, utility-makespan, weighted-team or weighted-sum "
+            "(alpha*q - beta*d - gamma*c, d being the makespan, or the time of all robots)."
+        ),
+    ),
+]
+FrontPlot = Annotated[
+    Path | None,
+    typer.Option("--front-plot", metavar="FILE", help="Draw the front into this .svg or .png file."),
+]
 Alternatives = Annotated[
     int | None, typer.Option("-k", "--alternatives", metavar="K", help="How many alternatives. Default 4.")
 ]

@@ -25,7 +25,7 @@ class Asked:
 
     Parameters
     ----------
-    tree, gantt, map, report
+    tree, gantt, map, report, front_plot
         Files; None where nothing is asked for.
     rank
         Rank of the alternative to be shown. None: the best that has a schedule, and in the tree none.
@@ -37,6 +37,7 @@ class Asked:
     gantt: Path | None = None
     map: Path | None = None
     report: Path | None = None
+    front_plot: Path | None = None
     rank: int | None = None
     unfolded: bool = False
 
@@ -44,6 +45,7 @@ class Asked:
     def files(self) -> dict[str, Path]:
         """Files by the option that names them."""
         named = {"--tree": self.tree, "--gantt": self.gantt, "--map": self.map, "--report": self.report}
+        named["--front-plot"] = self.front_plot
         return {option: file for option, file in named.items() if file is not None}
 
 
@@ -85,6 +87,7 @@ def write_pictures(plan: Plan, asked: Asked) -> tuple[Path, ...]:
         "--gantt": lambda: _gantt(plan, rank),
         "--map": lambda: _map(plan, rank),
         "--report": lambda: report_of(plan, rank),
+        "--front-plot": lambda: _front(plan),
     }
     made = [(file, _in_form(file, makers[option]())) for option, file in asked.files.items()]
     for file, content in made:
@@ -126,6 +129,15 @@ def _map(plan: Plan, rank: int | None) -> str:
     drawn = map_svg(plan, rank if rank is not None else best_rank(plan))
     if drawn is None:
         raise nothing("--map", "nothing with a position")
+    return drawn
+
+
+def _front(plan: Plan) -> str:
+    from missiontree.reporting.front.plot import front_svg
+
+    drawn = front_svg(plan)
+    if drawn is None:
+        raise InputError("--front-plot: this plan has no front", hint="`missiontree plan … --front` seeks one.")
     return drawn
 
 

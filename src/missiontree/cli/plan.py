@@ -47,6 +47,11 @@ def command(
     ] = False,
     part: options.PartWeights = None,
     return_home: options.ReturnHomeFlag = None,
+    objective: options.ObjectiveText = None,
+    front: Annotated[
+        bool,
+        typer.Option("--front", help="Seek plans from the best staffed to the fastest, none of them beaten in both."),
+    ] = False,
     k: options.Alternatives = None,
     allocator: Annotated[
         str | None,
@@ -57,8 +62,8 @@ def command(
         typer.Option(
             "--scheduler",
             metavar="NAME",
-            help="greedy (default): at once; cpsat: as short as possible, proven where it can be; auto: greedy, then cpsat "
-            "where that is quick.",
+            help="greedy: at once; cpsat: as short as possible, proven where it can be; auto: greedy, then cpsat where that is "
+            "quick. Default: greedy; auto with --front, or an objective that looks at schedules.",
         ),
     ] = None,
     model: options.Model = None,
@@ -81,6 +86,7 @@ def command(
         Path | None,
         typer.Option("--report", metavar="FILE", help="Write all there is to see into this one .html file."),
     ] = None,
+    front_plot: options.FrontPlot = None,
     explain_reading: Annotated[
         bool,
         typer.Option(
@@ -110,6 +116,8 @@ def command(
         accumulate=accumulate,
         diverse=diverse,
         return_home=return_home,
+        objective=objective,
+        front=front or front_plot is not None,
         k=k,
         allocator=allocator,
         scheduler=scheduler,
@@ -122,8 +130,8 @@ def command(
     )
     for file in (out, record):
         refuse_unwritable(file)
-    refuse_clashing({"--out": out, "--record": record, "--report": report})
-    asked = Asked(report=report)
+    refuse_clashing({"--out": out, "--record": record, "--report": report, "--front-plot": front_plot})
+    asked = Asked(report=report, front_plot=front_plot)
     refuse_impossible(asked)
     from missiontree.planner import check_methods, plan_authored
 
@@ -143,6 +151,9 @@ def command(
         deliver(plan, out, record, as_json, quiet, colour, explain_reading)
         if not (quiet or as_json or explain_reading):
             hint_at_repairs(whole, plan is not whole, request, control, colour)
+        if front_plot is not None and plan.front is None:
+            remark("there is no front to be drawn", colour)
+            asked = replace(asked, front_plot=None)
         for file in write_pictures(plan, asked):
             if not (quiet or as_json):
                 remark(f"written to {file}", colour)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from missiontree.errors import InputError
@@ -24,6 +25,29 @@ def known_rank(plan: Plan, rank: int, option: str) -> int:
         ranks = f"1 to {len(alternatives)}" if alternatives else "the plan has no alternatives"
         raise InputError(f"{option} {rank}", accepted=ranks)
     return rank
+
+
+def option_named(plan: Plan, name: str) -> Plan:
+    """
+    The plan with one of its options in place of its alternatives: of the front, by number, or what is chosen.
+
+    Raises
+    ------
+    InputError
+        With the options there are.
+    """
+    from missiontree.mission.as_ranking import as_ranking
+
+    front = plan.front.options if plan.front is not None else ()
+    named = {str(number): option for number, option in enumerate(front, start=1)}
+    if plan.chosen is not None:
+        named["chosen"] = plan.chosen.option
+    if name not in named:
+        accepted = ", ".join(named) or "the plan has neither a front nor a choice"
+        raise InputError(f"--option {name}", accepted=accepted)
+    option = named[name]
+    first = replace(option, alternative=replace(option.alternative, rank=1), schedule=replace(option.schedule, rank=1))
+    return as_ranking(plan, [first])
 
 
 def best_rank(plan: Plan) -> int | None:

@@ -12,7 +12,7 @@ from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES
 from missiontree.cli.lengths import show_length
 from missiontree.cli.pictures import Asked, refuse_impossible, write_pictures
-from missiontree.cli.ranks import known_rank, scheduled_rank
+from missiontree.cli.ranks import known_rank, option_named, scheduled_rank
 from missiontree.cli.screen import remark, show
 from missiontree.cli.views import known_view, order_view, view_of
 from missiontree.errors import InputError
@@ -31,6 +31,15 @@ def command(
     ] = None,
     report: Annotated[
         Path | None, typer.Option("--report", metavar="FILE", help="Write everything into this one .html file.")
+    ] = None,
+    front_plot: options.FrontPlot = None,
+    option: Annotated[
+        str | None,
+        typer.Option(
+            "--option",
+            metavar="N",
+            help="Show an option of the front, by its number, or the one that is chosen (--option chosen), in place of the alternatives.",
+        ),
     ] = None,
     rank: Annotated[
         int | None,
@@ -75,12 +84,14 @@ def command(
     """Show a plan."""
     from missiontree.formats.document import read_file, write_text
 
-    asked = Asked(tree, gantt, map_file, report, rank, unfolded)
+    asked = Asked(tree, gantt, map_file, report, front_plot, rank, unfolded)
     refuse_impossible(asked)
     if known_view(view) == "plan" and not asked.files and (rank is not None or unfolded):
         view = "tree" if unfolded else "schedule"
     value = read_file(plan, "plan")
     try:
+        if option is not None:
+            value = option_named(value, option)
         written = write_pictures(value, asked)
         if transcript:
             typer.echo("\n".join(value.provenance.transcript))

@@ -105,7 +105,8 @@ def _schedule(plan: Plan, rank: int) -> RenderableType:
     from rich.text import Text
 
     from missiontree.reporting.gantt.time import in_words
-    from missiontree.reporting.text import team_lines, words
+    from missiontree.reporting.team.lines import team_lines
+    from missiontree.reporting.text import words
     from missiontree.reporting.timeline.view import timeline
 
     assert plan.ranking is not None

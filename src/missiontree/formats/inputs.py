@@ -32,6 +32,7 @@ def inputs_of(brief: MissionBrief, tree: MissionTree | None) -> dict[str, Any]:
         "diverse": brief.diverse or None,
         "parts": brief.parts or None,
         "return_home": brief.return_home or None,
+        "objective": None if brief.objective == "utility" else brief.objective,
         "tree": tree,
     }
     return {name: value for name, value in inputs.items() if value is not None}

@@ -10,6 +10,7 @@ from missiontree.mission.costs import Price, check_prices
 from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
 from missiontree.mission.goal import Goal, check_goals
+from missiontree.mission.objective import Objective
 from missiontree.mission.terms import checked_quality
 from missiontree.mission.value import Count, Id, NonNegative, Positive, Value, require_unique
 
@@ -50,7 +51,8 @@ class MissionFile(Value):
     allocator
         Method of allocation, default ``exact``.
     scheduler
-        Method of scheduling: ``greedy`` (default), ``cpsat``, or ``auto``.
+        Method of scheduling: ``greedy``, ``cpsat``, or ``auto``. Default: ``greedy``; ``auto`` if the objective looks at schedules, or a
+        front is asked for.
     seed
         Seed of everything random, default 0.
     without
@@ -69,6 +71,9 @@ class MissionFile(Value):
     diverse
         Whether alternatives are to differ in team: the best; then the best of those in which another set of robot types takes part; and
         so on. Default false.
+    objective
+        What decides which alternative is chosen, schedules included: ``utility`` (default), ``makespan``, ``utility-makespan``,
+        ``weighted-team`` or ``weighted-sum``. Ranks go by utility alone, whatever is chosen.
     costs
         What changes cost that would make a mission possible, by kind of change, so that `missiontree explain` can put them in an order:
         a number, or more closely a price. Default: those of the documentation.
@@ -93,7 +98,7 @@ class MissionFile(Value):
     check_kinds: bool = True
     model: str = ""
     allocator: Id = "exact"
-    scheduler: Id = "greedy"
+    scheduler: Id | None = None
     seed: int = 0
     without: tuple[Id, ...] = ()
     require: tuple[Id, ...] = ()
@@ -101,6 +106,7 @@ class MissionFile(Value):
     deadline_s: NonNegative | None = None
     accumulate: Accumulate = "sum"
     diverse: bool = False
+    objective: Objective = "utility"
     costs: Mapping[Id, Price | NonNegative] = field(default_factory=dict)
     parts: Mapping[str, Positive] = field(default_factory=dict)
     return_home: bool = False

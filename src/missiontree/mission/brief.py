@@ -13,6 +13,7 @@ from missiontree.mission.estimate import Weights
 from missiontree.mission.estimator_source import EstimatorSource
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.goal import Goal, all_goals, check_goals
+from missiontree.mission.objective import WEIGHTED, Objective
 from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.scene import Scene
 from missiontree.mission.terms import Terms, check_terms, checked_quality
@@ -65,6 +66,10 @@ class MissionBrief(Value):
         label or the call of a node of the mission tree, such as ``Search(cat)``. Default: see :class:`missiontree.mission.partial.Partial`.
     return_home
         Whether each robot that takes part goes back to where it started, after its last action. Default false.
+    objective
+        What decides which alternative is chosen, schedules included: ``utility`` (default), ``makespan``, ``utility-makespan``,
+        ``weighted-team`` or ``weighted-sum``; see :data:`missiontree.mission.objective.Objective`. Ranks go by utility alone, whatever
+        is chosen.
 
     Raises
     ------
@@ -89,6 +94,7 @@ class MissionBrief(Value):
     diverse: bool = False
     parts: Mapping[str, Positive] = field(default_factory=dict)
     return_home: bool = False
+    objective: Objective = "utility"
 
     def _check(self) -> None:
         world = self.world
@@ -109,6 +115,19 @@ class MissionBrief(Value):
         self._check_type_names(world)
         self._check_held(world)
         self._check_terms()
+        if self.objective in WEIGHTED:
+            self._check_weighted()
+
+    def _check_weighted(self) -> None:
+        if self.accumulate != "sum":
+            raise ValueError(
+                f"the objective {self.objective!r} adds up, and accumulate is {self.accumulate!r}; leave one of them out."
+            )
+        if not self.weights.beta:
+            raise ValueError(
+                f"the objective {self.objective!r} weighs time, and the weight of a second (beta) is 0; "
+                "give weights, as in weights: {alpha: 1, beta: 0.01}, or take the objective 'utility'."
+            )
 
     def _check_type_names(self, world: Scene) -> None:
         roads = world.roads

@@ -8,6 +8,7 @@ from typing import Literal
 
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.front import Chosen, Front
 from missiontree.mission.grounded import Grounding
 from missiontree.mission.partial import Partial
 from missiontree.mission.reason import Reason
@@ -77,6 +78,11 @@ class Plan(Value):
         The alternatives.
     schedules
         A schedule for each alternative, in rank order.
+    chosen
+        What the objective of the mission chooses; None if that is utility alone, by which the first alternative with a schedule stands
+        first.
+    front
+        The utility-makespan front; None if it was not asked for.
     reasons
         Why the plan is not delivered; of a partial plan, why the whole mission cannot be done.
     notices, assumptions, findings
@@ -95,6 +101,8 @@ class Plan(Value):
     grounding: Grounding | None = None
     ranking: Ranking | None = None
     schedules: tuple[Schedule, ...] = ()
+    chosen: Chosen | None = None
+    front: Front | None = None
     reasons: tuple[Reason, ...] = ()
     notices: tuple[Reason, ...] = ()
     assumptions: tuple[Reason, ...] = ()

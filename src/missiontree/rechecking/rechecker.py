@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
@@ -10,6 +12,7 @@ from missiontree.rechecking import (
     amounts,
     claims,
     home,
+    options,
     parts,
     selection,
     sharing,
@@ -49,6 +52,7 @@ CORE_RULES = {
     "core_ability": "a type does what it is able to, by capability, limits, kinds of arguments and resources",
     "core_actions": "every selected action is scheduled once, and nothing else is",
     "core_available": "a robot is busy only while it takes part",
+    "core_best": "nothing that the plan shows is better by the objective than what is chosen, or beats an option of the front",
     "core_budget": "no robot uses more of a budget than it has",
     "core_claims": "no bound contradicts what is shown, and what is called optimal is proven",
     "core_deadline": "nothing ends after it is due",
@@ -119,7 +123,11 @@ def recheck(plan: Plan) -> list[Reason]:
         if alternative is alternatives[0]:  # what is offered is the same for all of them
             found += [one for rule in OFFERED for one in rule(facts)]
         found += _one(facts)
-    return found
+    for name, shown in options.shown(plan):
+        for option in shown:
+            facts = Facts(plan.brief, plan.tree, plan.grounding.tree, option.alternative, option.schedule, ways)
+            found += [replace(one, message=f"{name}: {one.message}") for one in _one(facts)]
+    return found or [one for rule in options.OPTION_RULES for one in rule(plan)]
 
 
 def _world(plan: Plan) -> Scene:

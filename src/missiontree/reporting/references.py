@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
+
 from missiontree.errors import InputError
 from missiontree.mission.alternative import Alternative, selected_leaves
+from missiontree.mission.as_ranking import as_ranking, options_of
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Plan
 from missiontree.mission.scene import Scene
@@ -31,6 +35,16 @@ def refuse_dangling(plan: Plan) -> None:
                 raise _dangling(f"there is no role {filled.role}", where, f"0 to {len(tree.roles) - 1}")
     for number, schedule in enumerate(plan.schedules):
         _refuse_leaves(schedule, tree, f"schedules[{number}].actions")
+    if options := options_of(plan):
+        _refuse_options(as_ranking(plan, options), refuse_dangling)
+
+
+def _refuse_options(options: Plan, refuse: Callable[[Plan], None]) -> None:
+    """Refuse options that point astray, as alternatives and schedules of a plan are refused."""
+    try:
+        refuse(options)
+    except InputError as error:
+        raise replace(error, where=f"front or chosen, as {error.where}") from error
 
 
 def refuse_damaged(plan: Plan) -> None:
@@ -59,6 +73,9 @@ def refuse_damaged(plan: Plan) -> None:
             if assignment.role >= len(tree.roles):
                 where = f"schedules[{place}].assignments[{index}].role"
                 raise _dangling(f"there is no role {assignment.role}", where, f"0 to {len(tree.roles) - 1}")
+    for shown in (plan.front.options if plan.front is not None else (), (plan.chosen.option,) if plan.chosen else ()):
+        if shown:
+            _refuse_options(as_ranking(plan, shown), refuse_damaged)
 
 
 def world_of(plan: Plan) -> Scene:

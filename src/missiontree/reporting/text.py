@@ -13,18 +13,22 @@ from rich.text import Text
 
 from missiontree.mission.aim import Aim
 from missiontree.mission.alternative import Alternative, Ranking
+from missiontree.mission.as_ranking import as_ranking
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Outcome, Plan
 from missiontree.mission.reason import Reason, Severity
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.critical.view import BRIEF, title_and_view
 from missiontree.reporting.escape import one_line
+from missiontree.reporting.front.rows import choice_in_words, front_in_words, listed_rank
+from missiontree.reporting.front.view import front_table
 from missiontree.reporting.known import by_word, known_of
 from missiontree.reporting.left_out import known_of_larger, parts_left_out
 from missiontree.reporting.limit_lines import limit_lines
 from missiontree.reporting.references import refuse_dangling
 from missiontree.reporting.spent_view import author_in_words
 from missiontree.reporting.team.limits import limits_of
+from missiontree.reporting.team.lines import team_lines
 from missiontree.reporting.timeline.view import timeline
 from missiontree.reporting.tree.view import tree_text
 
@@ -43,8 +47,6 @@ MARKS: dict[Severity, tuple[str, str]] = {
     "assumption": ("?", "magenta"),
 }
 MAX_LINES = 12
-MAX_TEAM = 24
-LONG_TEAM = 6
 
 
 def words(text: str, style: str = "") -> Text:
@@ -92,20 +94,52 @@ def _sections(plan: Plan) -> Iterator[RenderableType]:
     if plan.ranking is not None and plan.grounding is not None and plan.ranking.alternatives:
         yield from _titled(_ranking_title(plan.ranking, plan.brief.aim), [alternatives_table(plan)])
         yield from _titled("Without a schedule", list(_unscheduled(plan)))
-        best = best_scheduled(plan)
-        yield from _titled(*_limits_of(plan, best))
-        if best is not None:
-            deadline_s = plan.grounding.tree.nodes[0].deadline_s
-            due = "" if deadline_s is None else f" (due by {deadline_s:g} s)"
-            title = f"Schedule of alternative {best.rank}: {_length(best.makespan_s)}{due}, {known_of(best)}"
-            yield from _titled(title, [timeline(best, plan)])
-            yield from _titled(*title_and_view(plan, best, BRIEF))
+        yield from _front(plan)
+        yield from _choice(plan) if plan.chosen is not None else _best(plan)
     not_offered = plan.grounding.not_offered if plan.grounding else ()
     told = frozenset(plan.reasons)
     yield from _titled("Not offered", _refusals([reason for reason in not_offered if reason not in told], plan))
     yield from _remarks("Look at", plan.findings)
     yield from _remarks("Done on your behalf", plan.notices)
     yield from _remarks("Assumed", plan.assumptions)
+
+
+def _best(plan: Plan) -> Iterator[RenderableType]:
+    """The best alternative that has a schedule: its limits and its schedule."""
+    best = best_scheduled(plan)
+    yield from _titled(*_limits_of(plan, best))
+    if best is not None:
+        yield from _schedule(plan, best, f"alternative {best.rank}")
+
+
+def _schedule(plan: Plan, schedule: Schedule, whose: str) -> Iterator[RenderableType]:
+    assert plan.grounding is not None
+    deadline_s = plan.grounding.tree.nodes[0].deadline_s
+    due = "" if deadline_s is None else f" (due by {deadline_s:g} s)"
+    title = f"Schedule of {whose}: {_length(schedule.makespan_s)}{due}, {known_of(schedule)}"
+    yield from _titled(title, [timeline(schedule, plan)])
+    yield from _titled(*title_and_view(plan, schedule, BRIEF))
+
+
+def _front(plan: Plan) -> Iterator[RenderableType]:
+    """Plans from the best staffed to the fastest."""
+    if plan.front is not None:
+        yield from _titled(f"From the best staffed to the fastest: {front_in_words(plan.front)}", [front_table(plan)])
+
+
+def _choice(plan: Plan) -> Iterator[RenderableType]:
+    """What the objective chooses, and its schedule."""
+    assert plan.chosen is not None
+    assert plan.grounding is not None
+    option = plan.chosen.option
+    alone = as_ranking(plan, [option])
+    rank = listed_rank(plan, option.alternative)
+    team = team_lines(plan.grounding.tree, option.alternative, plan) if rank is None else ()
+    lines = [words(line) for line in (*team, option.certificate.detail) if line]
+    yield from _titled(f"Chosen by {choice_in_words(plan, plan.chosen)}", lines)
+    limits = limits_of(alone, option.alternative, option.schedule)
+    yield from _titled("What the choice uses of its limits", [words(line) for line in limit_lines(limits)])
+    yield from _schedule(alone, option.schedule, "the choice")
 
 
 def _limits_of(plan: Plan, schedule: Schedule | None) -> tuple[str, list[RenderableType]]:
@@ -258,29 +292,6 @@ def _verdict(alternative: Alternative, schedule: Schedule | None) -> str:
         "infeasible": f"{rank}\ncannot be scheduled",
         "unknown": f"{rank}\nno schedule found",
     }[schedule.status]
-
-
-def team_lines(tree: GroundedTree, alternative: Alternative, plan: Plan, best: Alternative | None = None) -> list[str]:
-    """Who does what, a line per reached role; of a long list, what sets it apart from the best alternative."""
-    filled = {entry.role: entry.robot_type for entry in alternative.roles}
-    types = plan.brief.fleet.by_id
-    line = {
-        role: f"{tree.roles[role].label}: {types[who].label if who in types else who}" for role, who in filled.items()
-    }
-    if best is None or best is alternative or len(line) <= LONG_TEAM:
-        lines = list(line.values())
-    else:
-        usual = {entry.role: entry.robot_type for entry in best.roles}
-        other = [text for role, text in line.items() if usual.get(role) != filled[role]]
-        without = [f"without {tree.roles[role].label}" for role in usual if role not in filled]
-        lines = [
-            f"as {best.rank}, but" if other or without else f"as {best.rank}, done in another way",
-            *other,
-            *without,
-        ]
-    if len(lines) > MAX_TEAM + 1:
-        lines = [*lines[:MAX_TEAM], f"… and {len(lines) - MAX_TEAM} more roles"]
-    return lines
 
 
 def orders_view(tree: GroundedTree, orders: Mapping[str, Sequence[int]]) -> Group:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from missiontree.mission.as_ranking import is_option
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.escape import one_line
@@ -27,7 +28,7 @@ def mission_of(plan: Plan) -> str:
 
 def summary(plan: Plan, schedule: Schedule, content: Content) -> str:
     """Alternative, length, and what is known of it, in a line."""
-    parts = [f"Alternative {schedule.rank}"]
+    parts = [_called(plan, schedule)]
     alternatives = plan.ranking.alternatives if plan.ranking is not None else ()
     parts += [f"utility {one.utility:g}" for one in alternatives if one.rank == schedule.rank]
     makespan_s, deadline_s = content.makespan_s, content.deadline_s
@@ -112,3 +113,10 @@ def _order(plan: Plan, schedule: Schedule) -> list[str]:
         own.setdefault(one.robot, []).append(one_line(plan.grounding.tree.action(one.leaf).text))
     lines = [f"{robot}: {', then '.join(texts)}" for robot, texts in own.items()]
     return lines if len(lines) <= _MOST_ROLES else [*lines[:_MOST_ROLES], f"and {len(lines) - _MOST_ROLES} more robots"]
+
+
+def _called(plan: Plan, schedule: Schedule) -> str:
+    """What people call what is drawn: an option of a front, or what is chosen, has no rank."""
+    alternatives = plan.ranking.alternatives if plan.ranking is not None else ()
+    drawn = next((one for one in alternatives if one.rank == schedule.rank), None)
+    return "Option" if drawn is not None and is_option(drawn) else f"Alternative {schedule.rank}"

@@ -9,6 +9,7 @@ from typing import Literal
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.plan import Outcome, Plan
 from missiontree.mission.schedule import Schedule
+from missiontree.reporting.front.rows import choice_in_words
 from missiontree.reporting.html.quantity import count, number
 from missiontree.reporting.html.times import lasts
 from missiontree.reporting.known import by_word
@@ -58,7 +59,7 @@ def headline(plan: Plan) -> Headline:
     """The outcome; of a delivered plan, what its best alternative comes to."""
     if plan.outcome != "delivered":
         return _REFUSED[plan.outcome]
-    best = best_scheduled(plan)
+    best = best_scheduled(plan) if plan.chosen is None else plan.chosen.option.schedule
     if best is None or plan.ranking is None:
         return Headline("Planned", "good", "The mission has a plan.")
     robots = len({assignment.robot for assignment in best.assignments})
@@ -68,11 +69,19 @@ def headline(plan: Plan) -> Headline:
         " ".join(
             (
                 f"{count(robots, 'robot')} {'does' if robots == 1 else 'do'} it in {lasts(best.makespan_s)}.",
-                _ranked(plan.ranking, best.rank),
-                *_as_good(plan, best),
+                *_standing(plan, plan.ranking, best),
             )
         ),
     )
+
+
+def _standing(plan: Plan, ranking: Ranking, best: Schedule) -> Iterator[str]:
+    """How it stands to all others."""
+    if plan.chosen is not None:
+        yield f"It is chosen by {choice_in_words(plan, plan.chosen)}."
+        return
+    yield _ranked(ranking, best.rank)
+    yield from _as_good(plan, best)
 
 
 def _ranked(ranking: Ranking, rank: int) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from missiontree.mission.objective import IN_WORDS
 from missiontree.mission.plan import Plan
 from missiontree.reporting.html.quantity import number
 from missiontree.reporting.spent_view import author_in_words
@@ -40,6 +41,8 @@ def _pairs(plan: Plan) -> Iterator[tuple[str, str]]:
         yield "of an alternative", f"{plan.brief.aim.worth} of its actions"
     if plan.brief.diverse:
         yield "teams", "no two alternatives have the same"
+    if plan.brief.objective != "utility":
+        yield "chosen by", IN_WORDS[plan.brief.objective]
     if not plan.brief.check_kinds:
         yield "kinds of arguments", "not enforced"
     yield "seed", str(provenance.seed)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from missiontree.mission.certificate import Certificate, Claim
+from missiontree.mission.objective import IN_WORDS, WEIGHTED
 from missiontree.mission.plan import Plan
 from missiontree.reporting.html.quantity import number
 from missiontree.reporting.html.times import lasts
@@ -82,6 +83,26 @@ def _proofs(plan: Plan) -> Iterator[Proof]:
             says,
             schedule.certificate,
             "" if bound is None else f"at least {lasts(bound)}",
+        )
+    yield from _of_options(plan)
+
+
+def _of_options(plan: Plan) -> Iterator[Proof]:
+    """Certificates of the front and of the choice."""
+    if plan.front is not None:
+        yield _proof("the front", "there are no other plans on it", plan.front.certificate, "")
+        for option in plan.front.options:
+            says = f"{number(option.alternative.utility)} in {lasts(option.schedule.makespan_s)} is unbeaten"
+            yield _proof(f"plan {option.alternative.rank} of the front", says, option.certificate, "")
+    if plan.chosen is not None:
+        certificate = plan.chosen.option.certificate
+        weighted = plan.brief.objective in WEIGHTED
+        bound = "" if certificate.bound is None else _utility(certificate.bound)
+        if certificate.bound is not None and not weighted:
+            bound = f"at least {lasts(certificate.bound)}"
+        worth = number(plan.chosen.worth) if weighted else lasts(plan.chosen.worth)
+        yield _proof(
+            "the choice", f"nothing is better by {IN_WORDS[plan.brief.objective]} than {worth}", certificate, bound
         )
 
 

@@ -9,11 +9,13 @@ from missiontree.mission.explanation import Explanation
 from missiontree.mission.plan import Plan
 from missiontree.mission.tree import MissionTree
 from missiontree.reporting.escape import one_line
+from missiontree.reporting.front.rows import listed_rank
 from missiontree.reporting.html.checked import Checked
 from missiontree.reporting.html.data_island import island
 from missiontree.reporting.html.facts import headline
 from missiontree.reporting.html.inlined import inlined
 from missiontree.reporting.html.moving import moving
+from missiontree.reporting.html.options import pictures_of_options
 from missiontree.reporting.html.page import filled, resource
 from missiontree.reporting.html.policy import policy
 from missiontree.reporting.html.remarks import remarks
@@ -57,7 +59,8 @@ def report_html(
     """
     refuse_damaged(plan)
     best = best_scheduled(plan)
-    first = rank if rank is not None else best.rank if best is not None else 1
+    chosen = None if plan.chosen is None else listed_rank(plan, plan.chosen.option.alternative)
+    first = rank or chosen or (best.rank if best is not None else 1)
     listed = plan.ranking.alternatives if plan.ranking is not None and plan.grounding is not None else ()
     shown = ways(plan, first) if listed else ()
     alone = (
@@ -65,6 +68,7 @@ def report_html(
     )
     sections = sections_of(plan, shown, alone, checked, told)
     pictures = [picture for way in shown for picture in way.pictures.all] + ([alone] if alone is not None else [])
+    pictures += pictures_of_options(plan)
     style, script = style_of(pictures, [way.rank for way in shown]), resource("report.js")
     mission = one_line(plan.brief.text) or "(no words)"
     return filled(

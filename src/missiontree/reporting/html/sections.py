@@ -15,6 +15,7 @@ from missiontree.reporting.html.compared import compared
 from missiontree.reporting.html.dialogue import dialogue
 from missiontree.reporting.html.inlined import Picture
 from missiontree.reporting.html.inputs import inputs
+from missiontree.reporting.html.options import shown_choice, shown_front
 from missiontree.reporting.html.origin import origin
 from missiontree.reporting.html.page import filled
 from missiontree.reporting.html.proofs import proofs
@@ -32,10 +33,12 @@ ROWS: tuple[tuple[tuple[str, ...], tuple[str, ...]], ...] = (
     (("left_out",), ()),
     (("why",), ()),
     (("repairs",), ()),
+    (("chosen",), ()),
     (("schedule",), ()),
     (("map",), ()),
     (("caveats",), ("refused",)),
     (("alternatives",), ()),
+    (("front",), ()),
     (("tree",), ()),
     (("timetable",), ("limits", "reading")),
     (("proofs",), ()),
@@ -119,8 +122,12 @@ def _sections(
     if told is not None and told.outcome != "delivered":
         nearest = told.nearest.words if told.nearest is not None and plan.partial is None else ""
         yield _section("repairs", "What would make it possible", repairs=repairs(told), nearest=nearest)
+    if (choice := shown_choice(plan)) is not None:
+        yield _section("chosen", "Chosen", choice=choice)
     if ways:
         yield from _of_alternatives(plan, ways)
+    if (front := shown_front(plan)) is not None:
+        yield _section("front", "From the best staffed to the fastest", front=front, worth=plan.brief.aim.worth)
     if groups := _caveats(plan):
         yield _section("caveats", "Before you rely on it", groups=groups)
     if ways or tree is not None:

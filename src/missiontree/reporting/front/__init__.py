@@ -1,0 +1,1 @@
+"""The utility-makespan front, and what an objective chose: as rows, in a terminal, and as a picture."""
