@@ -6,8 +6,10 @@ Everything lies on a line, so that distances need no map. Same generator, same c
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from random import Random
+from typing import Any
 
 from missiontree.mission.alternative import Alternative, Choice, RoleType
 from missiontree.mission.certificate import Certificate
@@ -66,6 +68,7 @@ FEATURES = (
     "times",
     "comings",
     "shared",
+    "handing",
 )
 
 
@@ -155,7 +158,7 @@ def _tree(draw: _Draw, fleet: Fleet) -> GroundedTree:
             tops.append(parent)
         tops.append(_role(draw, parent if left else 0, rng.choice(fleet.types).id, number in jointly))
         left = max(0, left - 1)
-    links = _links(draw, tops)
+    links = (*_links(draw, tops), *_hand_overs(draw))
     return GroundedTree(objective="test", nodes=tuple(draw.nodes), roles=tuple(draw.roles), links=links)
 
 
@@ -233,6 +236,36 @@ def _links(draw: _Draw, tops: list[int]) -> tuple[GroundedLink, ...]:
         if not _related(nodes, first, second) and (kind != "precedence" or first < second or rng.random() < 0.2):
             found.append(GroundedLink(first, second, kind))
     return tuple(dict.fromkeys(found))
+
+
+def _hand_overs(draw: _Draw) -> Iterator[GroundedLink]:
+    """One role hands over to another, mostly so that they can meet: what the last and the first action are is drawn anew."""
+    if "handing" not in draw.features:
+        return
+    leaves = [index for index, node in enumerate(draw.nodes) if node.action is not None]
+    kinds = {_action_of(draw, leaf).role: _action_of(draw, leaf).robot_type for leaf in leaves}
+    pairs = [sorted(draw.rng.sample(range(len(draw.roles)), 2)) for _ in range(4)]
+    giver, taker = next((pair for pair in pairs if kinds[pair[0]] != kinds[pair[1]]), pairs[0])
+    last = max(leaf for leaf in leaves if _action_of(draw, leaf).role == giver)
+    first = min(leaf for leaf in leaves if _action_of(draw, leaf).role == taker)
+    if draw.rng.random() < 0.9:
+        at = _action_of(draw, last).at or draw.rng.choice(PLACES)
+        _redo(draw, last, at=at, open_ended=False)
+        brought = _action_of(draw, last).brings
+        _redo(draw, first, at=draw.rng.choice((at, *brought)), moves=False, brings=())
+    yield GroundedLink(draw.nodes[last].parent, draw.nodes[first].parent, "hand_over")
+
+
+def _action_of(draw: _Draw, leaf: int) -> Action:
+    action = draw.nodes[leaf].action
+    assert action is not None
+    return action
+
+
+def _redo(draw: _Draw, leaf: int, **changes: Any) -> None:
+    node = draw.nodes[leaf]
+    assert node.action is not None
+    draw.nodes[leaf] = replace(node, action=replace(node.action, **changes))
 
 
 def _related(nodes: list[GroundedNode], first: int, second: int) -> bool:

@@ -39,6 +39,7 @@ class _World:
     since: dict[str, int] = field(default_factory=dict)
     needed: dict[str, int] = field(default_factory=dict)
     spent: dict[tuple[str, str], float] = field(default_factory=dict)
+    lasts: dict[int, int] = field(default_factory=dict)  # of what is still to be handed over, by first leaf of its unit
 
     def copy(self) -> _World:
         """A world that may go another way."""
@@ -53,6 +54,7 @@ class _World:
             dict(self.since),
             dict(self.needed),
             dict(self.spent),
+            dict(self.lasts),
         )
 
 
@@ -89,6 +91,9 @@ class Oracle:
         self.different: list[tuple[set[int], set[int]]] = []
         self.best: int | None = None
         self.steps = 0
+        self.taker: dict[int, int] = {}  # by unit that hands over: the unit that takes over
+        self.unfit = False
+        self.disturbed = False  # others move what a giver and a taker meet at: whether that can be is not decided here
         self._read_links()
         self.release = dict.fromkeys(self.leaves, 0)
         self.due: dict[int, int] = {}
@@ -109,13 +114,54 @@ class Oracle:
                 for leaf in first:
                     if self._action(leaf).open_ended:
                         self.until.setdefault(leaf, set()).update(second)
+            elif link.kind == "hand_over":
+                self.different.append((roles[0], roles[1]))
+                self._read_hand_over(first, second)
             elif link.kind == "same_robot":
                 self.same.append(roles[0] | roles[1])
             else:
                 self.different.append((roles[0], roles[1]))
 
+    def _read_hand_over(self, first: list[int], second: list[int]) -> None:
+        """Which unit ends when which unit starts; a hand-over that can never be leaves nothing to try."""
+        if not first or not second:
+            return
+        ends = {self._unit(own[-1]) for own in self.roles.values() if {*own} & {*first}}
+        starts = {self._unit(own[0]) for own in self.roles.values() if {*own} & {*second}}
+        whole = all(
+            {*own} & {*first} in (set(), {*own}) and {*own} & {*second} in (set(), {*own})
+            for own in self.roles.values()
+        )
+        giver, taker = min(ends), min(starts)
+        given = [self._action(leaf) for leaf in self.units[giver]]
+        taken = [self._action(leaf) for leaf in self.units[taker]]
+        there = [self._left_at(one.role) for one in given]
+        meet = all(two.at is not None and two.at in places for places in there for two in taken)
+        names = {two.at for two in taken}.union(*there)
+        own_roles = {one.role for one in (*given, *taken)}
+        others = [self._action(leaf) for leaf in self.leaves if self._action(leaf).role not in own_roles]
+        self.disturbed |= any(names & {*other.brings} for other in others)
+        sound = len(ends) == len(starts) == 1 and giver != taker and whole and self.taker.get(giver, taker) == taker
+        self.unfit |= not (sound and meet) or any(one.open_ended for one in given) or any(two.moves for two in taken)
+        self.taker[giver] = taker
+
+    def _left_at(self, role: int) -> set[str | None]:
+        """Where a role ends, and what it brought there."""
+        here: set[str | None] = set()
+        for action in (self._action(leaf) for leaf in self.roles[role]):
+            if action.moves or (action.at is not None and action.at not in here):
+                here = {action.at, *action.brings}
+        return here
+
+    def _unit(self, leaf: int) -> int:
+        return next(number for number, unit in enumerate(self.units) if leaf in unit)
+
     def least(self) -> int | None:
         """Least makespan in milliseconds; None if nothing works."""
+        if self.unfit or {*self.taker} & {*self.taker.values()}:
+            return None
+        if self.disturbed:
+            raise TooMuchError
         plain = self.before
         for chains in product(*(self._passings(resource) for resource in self.case.scene.resources)):
             self.before = {leaf: set(earlier) for leaf, earlier in plain.items()}
@@ -209,16 +255,32 @@ class Oracle:
                     self._go_on(after, latest, 0 if self.until else after.start[unit[0]])
 
     def _may_begin(self, world: _World, unit: list[int], latest: dict[int, list[int]]) -> bool:
+        moved = {name for leaf in unit for name in self._action(leaf).brings}
+        touched = moved | {self._action(leaf).at for leaf in unit}
+        for giver, taker in self.taker.items():
+            begun = self.units[giver][0] in world.start
+            brought = {name for leaf in self.units[giver] for name in self._action(leaf).brings}
+            if self.units[taker] == unit and not begun:
+                return False
+            waits = begun and self.units[taker][0] not in world.start
+            there = {self._action(leaf).at for leaf in self.units[giver]}
+            if self.units[taker] != unit and waits and (brought & touched or there & moved):
+                return False
         for leaf in unit:
             own = self.roles[self._action(leaf).role]
             earlier = own[own.index(leaf) - 1] if own.index(leaf) else None
             if earlier is not None and earlier not in world.end:
                 return False
-            if any(one not in world.end for one in self.before[leaf]):
+            if any(one not in world.end for one in self._others_before(leaf)):
                 return False
             if any(one not in world.start for one in latest.get(leaf, ())):
                 return False
         return True
+
+    def _others_before(self, leaf: int) -> set[int]:
+        """What must be over before an action, but for those who hand over to it."""
+        givers = (self.units[giver] for giver, taker in self.taker.items() if leaf in self.units[taker])
+        return self.before[leaf].difference(*givers)
 
     def _staffings(self, world: _World, unit: list[int]) -> Iterator[dict[int, str]]:
         """Robots by role, for all roles of a unit."""
@@ -283,7 +345,12 @@ class Oracle:
             after.start[leaf] = start
             after.held[robot] = action.role
         self._move(after, unit, robots, start, end)
-        if unit[0] not in self.until:
+        for giver, taker in self.taker.items():
+            if self.units[taker] == unit:
+                self._hand_over(after, self.units[giver], start)
+        if any(self.units[giver] == unit for giver in self.taker):
+            after.lasts[unit[0]] = length
+        elif unit[0] not in self.until:
             for leaf in unit:
                 self._over(after, leaf, end)
         self._settle(after)
@@ -301,7 +368,9 @@ class Oracle:
         for leaf, action in actions.items():
             robot = robots[action.role]
             ways[leaf] = self._way(world, robot, action)
-            start = max([start, self.release[leaf], world.free[robot], *(world.end[one] for one in self.before[leaf])])
+            start = max(
+                [start, self.release[leaf], world.free[robot], *(world.end[one] for one in self._others_before(leaf))]
+            )
             if action.moves:
                 length = max(length, ways[leaf][0])
             else:
@@ -311,6 +380,10 @@ class Oracle:
                 start = max(start, world.since.get(action.at, 0))
             for name in action.brings:
                 start = max(start, world.since.get(name, 0), world.needed.get(name, 0))
+        for giver, taker in self.taker.items():
+            if self.units[taker] == unit:
+                first = self.units[giver][0]
+                start = max(start, world.start[first] + world.lasts[first])
         if unit[0] in self.until:
             length = 0
         for leaf in unit:
@@ -329,6 +402,16 @@ class Oracle:
                 world.spot[robots[action.role]] = target
             for name in action.brings:
                 world.thing[name], world.since[name] = target, end
+
+    def _hand_over(self, world: _World, giver: list[int], moment: int) -> None:
+        """Who hands over is there until the taker starts, and so is what it brings."""
+        for leaf in giver:
+            self._over(world, leaf, moment)
+            action = self._action(leaf)
+            if action.at is not None:
+                world.needed[action.at] = max(world.needed.get(action.at, 0), moment)
+            for name in action.brings:
+                world.since[name] = max(world.since.get(name, 0), moment)
 
     def _settle(self, world: _World) -> None:
         """Open-ended actions end when the last of what they last for does."""

@@ -1278,6 +1278,40 @@ def role_within_a_role(plan: Plan) -> Iterator[Plan]:
                 yield with_done(plan, place, number, start_s=start_s, end_s=end_s)
 
 
+@breaks("hand_over_missed")
+def taken_over_late(plan: Plan) -> Iterator[Plan]:
+    """The first action of who takes over starts two seconds later."""
+    for place, _, number, done in scheduled(plan):
+        if done.leaf in _takers(plan, place):
+            yield with_done(plan, place, number, start_s=done.start_s + 2, end_s=done.end_s + 2)
+
+
+@breaks("hand_over_unfit")
+def taken_over_elsewhere(plan: Plan) -> Iterator[Plan]:
+    """Who takes over begins at another place than who hands over ends at, or at none."""
+    for place, _ in schedules(plan):
+        for leaf in _takers(plan, place):
+            yield with_action(plan, leaf, at=None)
+            yield with_action(plan, leaf, at="elsewhere")
+
+
+def _takers(plan: Plan, place: int) -> set[int]:
+    """First actions of who takes over, in one schedule."""
+    tree = grounded_tree(plan)
+    done = {one.leaf for one in plan.schedules[place].actions}
+    found = set()
+    for link in tree.links:
+        below = {leaf for leaf in done if link.kind == "hand_over" and _stands_below(tree, leaf, link.second)}
+        found |= {min(below)} if below else set()
+    return found
+
+
+def _stands_below(tree: GroundedTree, node: int, above: int) -> bool:
+    while node > above:
+        node = tree.nodes[node].parent
+    return node == above
+
+
 @breaks("resource_overfull")
 def held_at_once(plan: Plan) -> Iterator[Plan]:
     """An action that fills a shared resource is put to the same time as another that holds it."""

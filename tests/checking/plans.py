@@ -278,14 +278,18 @@ def choices() -> Plan:
 
 @cache
 def floors() -> Plan:
-    """A lift between two floors, and a slow way round by a ramp."""
+    """A lift between two floors, and a slow way round by a ramp; upstairs one robot hands over to another."""
     tree = flat_tree(
         routine_node("bring", "Transport", agent="parcel", location="office"),
+        routine_node("store", "Transport", agent="parcel", location="shelf"),
         routine_node("meet", "Reach", agent="parcel"),
-        links=(Link("bring", "meet"),),
+        links=(Link("bring", "store", "hand_over"), Link("store", "meet")),
     )
     scene = Scene(
-        places=(Entity(id="office", kind="place", position=Position(10, 3, "upper")),),
+        places=(
+            Entity(id="office", kind="place", position=Position(10, 3, "upper")),
+            Entity(id="shelf", kind="place", position=Position(10, 7, "upper")),
+        ),
         entities=(Entity(id="parcel", position=Position(4, 1), mass_kg=2),),
         roads=RoadGraph(
             nodes=(

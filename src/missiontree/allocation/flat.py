@@ -20,6 +20,7 @@ from missiontree.mission.estimate import Estimate, Weights
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.grounded import GroundedTree, NodeKind
 from missiontree.mission.terms import NO_TERMS, Terms
+from missiontree.mission.tree import APART
 
 AMOUNT_SCALE = 10**9
 EVERYBODY = ""
@@ -224,7 +225,7 @@ def flatten(tree: GroundedTree | Flat, fleet: Fleet, weights: Weights, terms: Te
         uses=tuple(uses),
         team=tuple(role.team for role in tree.roles),
         same_robot=tuple((link.first, link.second) for link in tree.links if link.kind == "same_robot"),
-        different_robot=tuple((link.first, link.second) for link in tree.links if link.kind == "different_robot"),
+        different_robot=tuple((link.first, link.second) for link in tree.links if link.kind in APART),
         stocks=stocks,
         shared=shared,
         required=terms.required_by_type(fleet),

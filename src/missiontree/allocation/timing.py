@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.ticks import ticks
 from missiontree.mission.times import Window
+from missiontree.mission.tree import IN_ORDER
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +62,6 @@ def timing_of(tree: GroundedTree) -> Timing | None:
         lag=tuple(lag),
         sync=sync,
         open_ended=frozenset(leaf for leaf, action in actions if action is not None and action.open_ended),
-        precedence=tuple((link.first, link.second) for link in tree.links if link.kind == "precedence"),
+        precedence=tuple((link.first, link.second) for link in tree.links if link.kind in IN_ORDER),
         until=tuple((link.first, link.second) for link in tree.links if link.kind == "until"),
     )

@@ -19,11 +19,17 @@ WIRE_KINDS: dict[str, LinkKind] = {
     "SameRobot": "same_robot",
     "DifferentRobot": "different_robot",
     "Until": "until",
+    "HandOver": "hand_over",
 }
 MAX_LINKS = 20_000
 _LONGEST_CIRCLE = 20
 Pair = tuple[str | int, str | int, LinkKind]
-_OPPOSED = {("same_robot", "different_robot"), ("different_robot", "same_robot")}
+_OPPOSED = {
+    ("same_robot", "different_robot"),
+    ("different_robot", "same_robot"),
+    ("same_robot", "hand_over"),
+    ("hand_over", "same_robot"),
+}
 _FORM = 'Pairs are written [["a", "b"]] or [["a", "b", "Precedence"]]: a list of lists.'
 
 

@@ -74,7 +74,8 @@ _PAIRS = Parameter(
     "constraintPairs",
     PAIRS,
     "Links [a, b] or [a, b, kind]: Precedence (default: a ends before b starts), SameRobot, DifferentRobot, Until (a lasts until b "
-    "ends). a, b: ids, names, places in this call's list from 0, or SearchTree(cat).",
+    "ends), HandOver (another robot takes over where a ends, just then). a, b: ids, names, places in this call's list from 0, or "
+    "SearchTree(cat).",
     optional=True,
     also=("contraintsPairs", "constraintsPairs"),
 )

@@ -21,6 +21,7 @@ from missiontree.checking.timetable import Timetable
 from missiontree.checking.windows import windows
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.grounded import Action
+from missiontree.mission.tree import IN_ORDER
 
 MOST_WAYS = 2500
 """Pairs of points between which the least way is sought for one action, beyond which travel is counted as nothing."""
@@ -98,7 +99,7 @@ class _Bound:
             self._add(self._end(earlier), self._start(later), weight)
         for number, bond in enumerate(self._staffing.bonds):
             gate = ("gate", number)
-            if bond.kind == "precedence":
+            if bond.kind in IN_ORDER:
                 for leaf in bond.first_leaves:
                     self._add(self._end(leaf), gate)
                 for leaf in bond.second_leaves:

@@ -22,6 +22,7 @@ IMPOSSIBILITY_PROOFS = frozenset(
         "overlap",
         "holding",
         "sharing",
+        "hand_over",
         "reachability",
         "budget_bound",
         "deadline_bound",

@@ -8,6 +8,7 @@ from itertools import pairwise
 from missiontree.checking.case import Case
 from missiontree.checking.clock import TOLERANCE, shown
 from missiontree.checking.fault import Fault, named
+from missiontree.mission.tree import IN_ORDER
 
 
 def role_out_of_order(case: Case) -> Iterator[Fault]:
@@ -31,7 +32,7 @@ def precedence_broken(case: Case) -> Iterator[Fault]:
     for timetable in case.timetables:
         for bond in timetable.staffing.bonds:
             first, second = timetable.span(bond.first_leaves), timetable.span(bond.second_leaves)
-            if bond.kind == "precedence" and first and second and second[0] < first[1] - TOLERANCE:
+            if bond.kind in IN_ORDER and first and second and second[0] < first[1] - TOLERANCE:
                 yield Fault(
                     f"schedule {timetable.schedule.rank}: {named(timetable.tree, bond.second)} starts at {shown(second[0])}, "
                     f"before {named(timetable.tree, bond.first)} ends at {shown(first[1])}.",

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from missiontree.checking.case import Case
 from missiontree.checking.fault import Fault, named, role_named
+from missiontree.mission.tree import APART
 
 
 def role_type_missing(case: Case) -> Iterator[Fault]:
@@ -178,7 +179,7 @@ def different_robot_broken(case: Case) -> Iterator[Fault]:
     for timetable in case.timetables:
         robots = timetable.robot_of_role
         for bond in timetable.staffing.bonds:
-            if bond.kind == "different_robot":
+            if bond.kind in APART:
                 first, second = (
                     {robots[role] for role in timetable.staffing.roles_below(leaves) if role in robots}
                     for leaves in (bond.first_leaves, bond.second_leaves)

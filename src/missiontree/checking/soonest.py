@@ -14,6 +14,7 @@ from missiontree.checking.case import Case
 from missiontree.checking.clock import ticks_needed
 from missiontree.checking.staffing import Staffing
 from missiontree.checking.windows import windows
+from missiontree.mission.tree import IN_ORDER
 
 
 class TooLate(NamedTuple):
@@ -66,7 +67,7 @@ def _ends(staffing: Staffing, release: dict[int, int], last: int) -> dict[int, i
             for earlier, later in pairwise(leaves):
                 start[later] = max(start[later], end[earlier] + wait[later])
         for bond in staffing.bonds:
-            if bond.kind == "precedence":
+            if bond.kind in IN_ORDER:
                 over = max(end[leaf] for leaf in bond.first_leaves)
                 start.update((leaf, max(start[leaf], over)) for leaf in bond.second_leaves)
         for leaf in actions:

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from missiontree.checking.budgets import beyond
 from missiontree.checking.case import Case
 from missiontree.checking.staffing import Staffing
+from missiontree.mission.tree import APART
 
 MOST_WORK = 200_000
 """Roles looked at in all tries together before the search is given up."""
@@ -54,7 +55,7 @@ def _link_conflict(staffing: Staffing, robots: Mapping[int, str]) -> tuple[str, 
             for role in together[1:]:
                 if robots[role] != robots[together[0]]:
                     return "roles linked to one robot have several", role, robots[role]
-        elif bond.kind == "different_robot":
+        elif bond.kind in APART:
             busy = {robots[role] for role in first}
             for role in sorted(second):
                 if robots[role] in busy:
@@ -144,7 +145,7 @@ def _coupled(staffing: Staffing, case: Case) -> bool:
         return True
     if any(len(roles) > 1 for roles in staffing.teams.values()):
         return True
-    if any(bond.kind in {"same_robot", "different_robot"} for bond in staffing.bonds):
+    if any(bond.kind in {"same_robot", "different_robot", "hand_over"} for bond in staffing.bonds):
         return True
     kinds = [case.fleet.by_id[type_id] for type_id in dict.fromkeys(staffing.type_of_role.values())]
     limited = {name for kind in kinds for name in (*kind.limits, *kind.total_limits)}

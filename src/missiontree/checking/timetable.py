@@ -12,6 +12,7 @@ from missiontree.checking.clock import tick
 from missiontree.checking.staffing import Staffing
 from missiontree.mission.grounded import Action, GroundedTree
 from missiontree.mission.schedule import Schedule, TravelLeg
+from missiontree.mission.tree import IN_ORDER
 
 
 class Deed(NamedTuple):
@@ -106,7 +107,7 @@ class Timetable:
     def _after(self) -> dict[int, list[int]]:
         """What comes right after every selected leaf; a negative number is a gate between two nodes of a precedence."""
         after: dict[int, list[int]] = {leaf: [] for leaf in self.staffing.actions}
-        for number, bond in enumerate(bond for bond in self.staffing.bonds if bond.kind == "precedence"):
+        for number, bond in enumerate(bond for bond in self.staffing.bonds if bond.kind in IN_ORDER):
             gate = -1 - number
             after[gate] = list(bond.second_leaves)
             for leaf in bond.first_leaves:

@@ -10,7 +10,7 @@ from missiontree.evaluation.closure import closure
 from missiontree.evaluation.expected import Expected, Group
 from missiontree.evaluation.names import Words, scene_id, words_of
 from missiontree.mission.brief import MissionBrief
-from missiontree.mission.tree import MissionNode, MissionTree
+from missiontree.mission.tree import IN_ORDER, MissionNode, MissionTree
 from missiontree.routines.open_ended import is_open_ended
 
 Pairs = frozenset[tuple[int, int]]
@@ -116,9 +116,10 @@ def structure_of_tree(tree: MissionTree, brief: MissionBrief) -> Structure:
         frozenset(pair for first, second in pairs.get(kind, ()) for pair in ((first, second), (second, first)))
         for kind in ("same_robot", "different_robot")
     )
+    before = set[tuple[int, int]]().union(*(pairs.get(kind, ()) for kind in IN_ORDER))
     leaves = tuple(_leaf(node, tree, brief) for node in nodes)
     shape = _shape(tree, tree.root, place)
-    return _structure(leaves, shape, pairs.get("precedence", set()), pairs.get("until", set()), brief, *bound)
+    return _structure(leaves, shape, before, pairs.get("until", set()), brief, *bound)
 
 
 def _structure(

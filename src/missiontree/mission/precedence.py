@@ -3,15 +3,16 @@ The order that links and containment impose, as a graph over the starts and ends
 
 A node starts with its earliest selected leaf and ends with its latest, so a precedence between inner nodes reaches every leaf
 below them. Events make this plain: ``start(parent) <= start(child)``, ``end(child) <= end(parent)``, ``end(a) <= start(b)`` for a
-precedence (a, b); and for "a until b" both ``start(a) <= end(b)``, since a must be under way when b ends, and ``end(b) <= end(a)``.
-A cycle among events that passes a precedence or an until cannot be kept.
+precedence or a hand-over (a, b); and for "a until b" both ``start(a) <= end(b)``, since a must be under way when b ends, and
+``end(b) <= end(a)``.
+A cycle among events that passes a precedence, a hand-over or an until cannot be kept.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from missiontree.mission.tree import LinkKind, MissionTree
+from missiontree.mission.tree import IN_ORDER, LinkKind, MissionTree
 
 IndexedLink = tuple[int, int, LinkKind]
 
@@ -50,7 +51,7 @@ class EventGraph:
 
     def add_link(self, first: int, second: int, kind: LinkKind = "precedence") -> None:
         """Add one link between node indices."""
-        if kind == "precedence":
+        if kind in IN_ORDER:
             self._add(end_of(first), start_of(second))
         elif kind == "until":
             self._add(start_of(first), end_of(second))
@@ -82,7 +83,7 @@ class EventGraph:
 
     def closing_cycle(self, first: int, second: int, kind: LinkKind = "precedence") -> list[int] | None:
         """Nodes of the cycle that a further link would close, in order; None if it would close none."""
-        if kind == "precedence":
+        if kind in IN_ORDER:
             way = self.path(start_of(second), end_of(first))
         elif kind == "until":
             # Either b waits for a's end, and neither could ever end; or a waits for b's end, and could not be under way by then.

@@ -190,6 +190,24 @@ class RoleSpec(Value):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class HandOver(Value):
+    """
+    One role of a branch hands over to another: the giver's last action ends when the taker's first action starts, at one place.
+
+    The giver waits for the taker within its role. The taker's first action is done where the giver then is: at the same argument, or at
+    something that the giver brought there.
+
+    Parameters
+    ----------
+    giver, taker
+        Names of the two roles.
+    """
+
+    giver: Id
+    taker: Id
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Branch(Value):
     """
     One way of doing a routine. Roles of one branch are filled by different robots.
@@ -202,16 +220,61 @@ class Branch(Value):
         Argument to entity kinds, where this way takes fewer than the routine does (a message needs a reader).
     roles
         The robots' parts, at least one.
+    hand_overs
+        Which role hands over to which. Default: none.
     """
 
     name: Id
     roles: tuple[RoleSpec, ...]
     accepts: Mapping[Id, tuple[Id, ...]] = field(default_factory=dict)
+    hand_overs: tuple[HandOver, ...] = ()
 
     def _check(self) -> None:
         if not self.roles:
             raise ValueError(f"branch {self.name!r} has no roles.")
         require_unique("role", tuple(role.name for role in self.roles))
+        require_unique(f"branch {self.name!r}: giver", tuple(one.giver for one in self.hand_overs))
+        for one in self.hand_overs:
+            if why := self._unfit(one):
+                raise ValueError(f"branch {self.name!r}: {one.giver!r} cannot hand over to {one.taker!r}: {why}.")
+
+    def _unfit(self, one: HandOver) -> str:
+        """Why a hand-over can never be; empty if it can."""
+        roles = {role.name: role for role in self.roles}
+        for name in (one.giver, one.taker):
+            if name not in roles:
+                return f"there is no role {name!r}; roles are {', '.join(roles)}"
+        if one.giver == one.taker:
+            return "it is one role"
+        last, first = roles[one.giver].actions[-1], roles[one.taker].actions[0]
+        for role, step in ((roles[one.giver], last), (roles[one.taker], first)):
+            if role.robots > 1 and step.sync is None:
+                return (
+                    f"{role.name!r} has {role.robots} robots, which do {step.name!r} not jointly; give it a sync label"
+                )
+        if last.sync is not None and last.sync == first.sync:
+            return "they are done jointly"
+        if len(roles[one.giver].actions) == 1 and any(other.taker == one.giver for other in self.hand_overs):
+            return f"{one.giver!r} takes over, too; give it a second action"
+        if last.open_ended:
+            return f"{last.name!r} has no end of its own"
+        if first.at is None:
+            return f"{first.name!r} is done at no place; give it at"
+        if first.at not in (there := _left_at(roles[one.giver])):
+            where = " or ".join(sorted(there)) or "a place, which it has not"
+            return f"{first.name!r} is done at {first.at!r}, and {one.giver!r} ends at {where}"
+        return ""
+
+
+def _left_at(role: RoleSpec) -> set[str]:
+    """Arguments at whose place a role ends: where it was last, and what it brought there."""
+    here: set[str] = set()
+    for step in role.actions:
+        if step.goes_to is not None:
+            here = {step.goes_to, *step.brings}
+        elif step.at is not None and step.at not in here:
+            here = {step.at}
+    return here
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -12,8 +12,12 @@ from missiontree.mission.times import check_times
 from missiontree.mission.value import Id, NonNegative, Value, require_unique
 
 Gate = Literal["and", "xor"]
-LinkKind = Literal["precedence", "same_robot", "different_robot", "until"]
-LINK_KINDS: tuple[LinkKind, ...] = ("precedence", "same_robot", "different_robot", "until")
+LinkKind = Literal["precedence", "same_robot", "different_robot", "until", "hand_over"]
+LINK_KINDS: tuple[LinkKind, ...] = ("precedence", "same_robot", "different_robot", "until", "hand_over")
+IN_ORDER: frozenset[LinkKind] = frozenset({"precedence", "hand_over"})
+"""Kinds of links whose first node has ended when the second starts."""
+APART: frozenset[LinkKind] = frozenset({"different_robot", "hand_over"})
+"""Kinds of links whose nodes are done by different robots."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +32,8 @@ class Link(Value):
     kind
         ``precedence``: the first ends before the second starts. ``same_robot``: all roles of both are filled by one robot.
         ``different_robot``: no robot fills a role of both. ``until``: the open-ended actions of the first last until the
-        second ends.
+        second ends. ``hand_over``: the last action of the first ends when the first action of the second starts, at one
+        place, by different robots.
     """
 
     first: Id

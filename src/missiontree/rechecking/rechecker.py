@@ -59,6 +59,7 @@ CORE_RULES = {
     "core_different_robots": "joint roles, and nodes linked so, have different robots",
     "core_duration": "an action lasts as long as it takes",
     "core_grid": "times are whole milliseconds",
+    "core_hand_over": "who hands over ends when and where the taker starts",
     "core_holding": "a robot takes one role at a time",
     "core_home": "where robots return, who did something goes home after it, in time and no faster than it is",
     "core_joint": "joint actions start and end together",

@@ -104,7 +104,7 @@ def _linked(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[Reason]:
                 f"and are done by {', '.join(sorted(together))}."
             )
             yield broken("core_same_robot", message, node=link.second)
-    for link in facts.links("different_robot"):
+    for link in (*facts.links("different_robot"), *facts.links("hand_over")):
         for robot in sorted(robots_below(link.first) & robots_below(link.second)):
             message = (
                 f"{robot} takes part in {facts.label(link.first)} and in {facts.label(link.second)}, which it may not."

@@ -94,6 +94,31 @@ def precedence(facts: Facts) -> Iterator[Reason]:
             yield broken("core_precedence", message, node=link.second)
 
 
+def hand_overs(facts: Facts) -> Iterator[Reason]:
+    """
+    The last action below the first node of a hand-over ends when the first action below the second starts.
+
+    There the taker is where the giver is: at the place of the giver's last action that has one, or at something brought there.
+    """
+    for link in facts.links("hand_over"):
+        last = max(facts.below(link.first), key=lambda leaf: (facts.end_ms[leaf], leaf))
+        first = min(facts.below(link.second), key=lambda leaf: (facts.start_ms[leaf], leaf))
+        if abs(facts.end_ms[last] - facts.start_ms[first]) > TICK_MS:
+            message = (
+                f"{facts.label(last)} ends at {facts.end_ms[last] / 1000} s and is to be followed at once by "
+                f"{facts.label(first)}, which starts at {facts.start_ms[first] / 1000} s."
+            )
+            yield broken("core_hand_over", message, node=first)
+        taken, there = facts.leaves[first], set[str | None]()
+        for leaf in facts.leaves_of_role[facts.leaves[last].role]:
+            action = facts.leaves[leaf]
+            if action.moves or (action.at is not None and action.at not in there):
+                there = {action.at, *action.brings}
+        if taken.at is None or taken.at not in there:
+            message = f"{facts.label(first)} takes over from {facts.label(last)}, and is not done where that ends."
+            yield broken("core_hand_over", message, node=first)
+
+
 def until(facts: Facts) -> Iterator[Reason]:
     """The open-ended actions of the first node of an until last until the second ends: all of those that they last until."""
     ends: dict[int, int] = {}
@@ -136,4 +161,14 @@ def makespan(facts: Facts) -> Iterator[Reason]:
         yield broken("core_makespan", message)
 
 
-TIME_RULES = (on_the_grid, durations, actions_in_order, one_role_at_a_time, precedence, until, joint_work, makespan)
+TIME_RULES = (
+    on_the_grid,
+    durations,
+    actions_in_order,
+    one_role_at_a_time,
+    precedence,
+    hand_overs,
+    until,
+    joint_work,
+    makespan,
+)

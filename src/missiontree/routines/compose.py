@@ -15,7 +15,7 @@ from itertools import product
 
 from missiontree.errors import InputError
 from missiontree.mission.frozen_map import FrozenMap
-from missiontree.mission.routine import ActionStep, Branch, Need, RoleSpec, Routine, RoutineLibrary
+from missiontree.mission.routine import ActionStep, Branch, HandOver, Need, RoleSpec, Routine, RoutineLibrary
 
 MAX_BRANCHES = 256
 
@@ -97,12 +97,15 @@ class FlatBranch:
         The robots' parts.
     order
         What is done before what, beyond the order inside roles.
+    hand_overs
+        Which action of a role ends with a hand-over, and which action of another role starts with it.
     """
 
     name: str
     accepts: tuple[tuple[str, tuple[str, ...]], ...]
     roles: tuple[FlatRole, ...]
     order: tuple[Order, ...] = ()
+    hand_overs: tuple[Order, ...] = ()
 
 
 def flatten(routine: Routine, library: RoutineLibrary) -> tuple[FlatBranch, ...]:
@@ -134,9 +137,16 @@ def _plain(routine: Routine) -> tuple[FlatBranch, ...]:
             # The way's own demand first: it is the narrower one, and the one to tell people about.
             accepts=(*branch.accepts.items(), *routine.argument_kinds.items()),
             roles=tuple(_role(spec, branch) for spec in branch.roles),
+            hand_overs=tuple(_hand_over(one, branch) for one in branch.hand_overs),
         )
         for branch in routine.branches
     )
+
+
+def _hand_over(one: HandOver, branch: Branch) -> Order:
+    place = {role.name: index for index, role in enumerate(branch.roles)}
+    giver = place[one.giver]
+    return Order(giver, len(branch.roles[giver].actions) - 1, place[one.taker], 0)
 
 
 def _role(spec: RoleSpec, branch: Branch) -> FlatRole:
@@ -186,6 +196,7 @@ def _renamed(branch: FlatBranch, names: Mapping[str, str], part: int, inner: str
             for role in branch.roles
         ),
         order=branch.order,
+        hand_overs=branch.hand_overs,
     )
 
 
@@ -231,6 +242,7 @@ def _joined(
 ) -> FlatBranch:
     roles: list[FlatRole] = []
     order: list[Order] = []
+    hand_overs: list[Order] = []
     held: int | None = None
     teams = 0
     before: list[tuple[int, int]] = []  # last action of each role of the part before
@@ -250,6 +262,7 @@ def _joined(
             roles.append(role if role.team is None else replace(role, team=teams + role.team))
         teams += 1 + max((role.team for role in branch.roles if role.team is not None), default=-1)
         order += [_shifted(pair, place) for pair in branch.order]
+        hand_overs += [_shifted(pair, place) for pair in branch.hand_overs]
         order += [Order(r, a, s, b) for r, a in before for s, b in place if r != s]
         before = [(r, start + len(role.actions) - 1) for (r, start), role in zip(place, branch.roles, strict=True)]
     choices = [branch.name for branch, ways in zip(combination, offered, strict=True) if len(ways) > 1]
@@ -258,6 +271,7 @@ def _joined(
         accepts=tuple(dict.fromkeys([entry for branch in combination for entry in branch.accepts] + list(own))),
         roles=tuple(roles),
         order=tuple(order),
+        hand_overs=tuple(hand_overs),
     )
 
 

@@ -112,6 +112,10 @@ class Expansion:
         self._teams += len(teams)
         for order in branch.order:
             self._link(order, branch.roles, tops, leaves)
+        # parts whose robots merge have one role each, so that a hand-over is always at the edges of its roles
+        self.links += [
+            GroundedLink(tops[one.first_role], tops[one.second_role], "hand_over") for one in branch.hand_overs
+        ]
 
     def _staffings(self, role: FlatRole, types: Sequence[str], node: MissionNode) -> Iterator[tuple[str, ...]]:
         """Multisets of types for robots that are alike; as many of a type as there are."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.precedence import indegrees
@@ -42,6 +44,7 @@ class Board:
         self.done: dict[int, Done] = {}
         self.held: dict[str, dict[int, Hold]] = {name: {} for name in problem.sharing.capacity}
         self.returns: list[Homeward] = []
+        self.waiting: list[int] = []  # activities that end with a hand-over, and wait for their taker
         self.metres = 0.0
 
     def actions(self, activity: int) -> list[tuple[int, Action]]:
@@ -74,12 +77,56 @@ class Board:
 
     def room(self, activity: int, ready: int, length: int | None) -> int | None:
         """When an activity finds room in all that it holds, of what length it may be; None if there is none as far as is known now."""
-        return room_for(self.problem.sharing, activity, lambda name: self.held[name].values(), ready, length)
+        givers = self.problem.hand_overs.givers(activity)  # they let go when it starts
+
+        def held(name: str) -> list[Hold]:
+            return [hold for one, hold in self.held[name].items() if one not in givers]
+
+        return room_for(self.problem.sharing, activity, held, ready, length)
 
     def hold(self, activity: int, start: int, end: int | None) -> None:
         """An activity holds what it holds, until nobody knows when if ``end`` is None."""
         for name, robots in self.problem.sharing.demand.get(activity, {}).items():
             self.held[name][activity] = Hold(start, end, robots)
+
+    def awaits(self, activity: int) -> bool:
+        """Whether an activity touches what is still to be handed over to another, or takes away the place where that is to be."""
+        taker = self.problem.hand_overs.taker
+        return any(taker[giver] != activity and self._disturbs(activity, giver) for giver in self.waiting)
+
+    def _disturbs(self, activity: int, giver: int) -> bool:
+        given = [action for _, action in self.actions(giver)]
+        brought, there = {name for action in given for name in action.brings}, {action.at for action in given}
+        return any(
+            action.at in brought or (brought | there).intersection(action.brings)
+            for _, action in self.actions(activity)
+        )
+
+    def bring(self, activity: int, start: int, end: int) -> None:
+        """An activity is put down: it holds what it holds, and waits for its taker if it ends with a hand-over."""
+        gives = activity in self.problem.hand_overs.taker
+        self.hold(activity, start, None if gives or activity in self.graph.until else end)
+        if gives:
+            self.waiting.append(activity)
+
+    def hand_over(self, giver: int, moment: int) -> None:
+        """The taker has come: the giver's action is put off until it ends just then, and its robot stays until then."""
+        start = end = moment
+        for leaf, robot in self.placed[giver]:
+            one, action = self.done[leaf], self.graph.tree.action(leaf)
+            later, start = moment - one.end, moment - (one.end - one.start)
+            own = later if action.moves else 0  # the way of a move is the move itself
+            self.done[leaf] = replace(
+                one, start=start, end=moment, leaves_at=one.leaves_at + own, arrives_at=one.arrives_at + own
+            )
+            robot.free_at = max(robot.free_at, moment)
+            if action.at is not None:
+                self.world.needed(action.at, moment)
+            for name in action.brings:
+                self.world.brought(name, moment)
+        self.hold(giver, start, end)
+        self.time[2 * giver + 1] = end
+        self.waiting.remove(giver)
 
     def secured(self, role: int) -> bool:
         """Whether a role has begun, or its robot is kept for it."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from missiontree.scheduling.hand_overs import NO_HAND_OVERS, HandOvers
 from missiontree.scheduling.precedence import TaskGraph
 
 
@@ -41,9 +42,9 @@ class Bundles:
         return found
 
 
-def bundles_of(graph: TaskGraph) -> Bundles:
+def bundles_of(graph: TaskGraph, hand_overs: HandOvers = NO_HAND_OVERS) -> Bundles:
     """Roles that wait for each other in turn (strongly connected components over roles and inner events)."""
-    vertex = _vertices(graph)
+    vertex = _vertices(graph, hand_overs)
     count = max(vertex, default=-1) + 1
     successors: list[set[int]] = [set() for _ in range(count)]
     for event, after in enumerate(graph.successors):
@@ -63,14 +64,14 @@ def bundles_of(graph: TaskGraph) -> Bundles:
     )
 
 
-def crews_of(graph: TaskGraph) -> dict[int, int]:
-    """For each role a number that it shares with the roles it works with jointly, directly or through others."""
-    vertex = _vertices(graph)
+def crews_of(graph: TaskGraph, hand_overs: HandOvers = NO_HAND_OVERS) -> dict[int, int]:
+    """For each role a number that it shares with the roles it works with jointly or hands over to, directly or through others."""
+    vertex = _vertices(graph, hand_overs)
     return {role: vertex[graph.start(leaves[0])] for role, leaves in graph.roles.items()}
 
 
-def _vertices(graph: TaskGraph) -> list[int]:
-    """A number per event: one for all events of roles that work jointly, one for each inner event."""
+def _vertices(graph: TaskGraph, hand_overs: HandOvers) -> list[int]:
+    """A number per event: one for all events of roles that work jointly or hand over to each other, one for each inner event."""
     leader: dict[int, int] = {role: role for role in graph.roles}
 
     def find(role: int) -> int:
@@ -79,7 +80,8 @@ def _vertices(graph: TaskGraph) -> list[int]:
             role = leader[role]
         return role
 
-    for joint in graph.activities:
+    met = [(*graph.activities[giver], *graph.activities[taker]) for giver, taker in hand_overs.taker.items()]
+    for joint in (*graph.activities, *met):
         for leaf in joint[1:]:
             low, high = sorted((find(graph.tree.action(joint[0]).role), find(graph.tree.action(leaf).role)))
             leader[high] = low

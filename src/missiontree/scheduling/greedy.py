@@ -24,9 +24,11 @@ from missiontree.scheduling.availability import away, gone_before, least_holds, 
 from missiontree.scheduling.bounds import lower_bounds
 from missiontree.scheduling.bundles import bundles_of, crews_of
 from missiontree.scheduling.deadlines import Late, deadlines_missed, deadlines_out_of_reach
+from missiontree.scheduling.hand_overs import HandOvers, hand_overs_of
 from missiontree.scheduling.holding import order_held_roles
 from missiontree.scheduling.homing import home_too_late, never_home
 from missiontree.scheduling.impossible import budgets_exceeded, cycle_reason, group_needs, unreachable_places
+from missiontree.scheduling.meeting import apart
 from missiontree.scheduling.mission_terms import required_in_vain, shared_by_all, shared_exceeded, terms_broken
 from missiontree.scheduling.overlap import overlaps_of_one_robot
 from missiontree.scheduling.places import Places
@@ -68,6 +70,9 @@ def read_problem(
 ) -> Problem | tuple[str, list[Reason]]:
     """The problem, or the method and the reasons of the proof that it cannot be solved."""
     graph = task_graph(tree, alternative.choices)
+    hand_overs = hand_overs_of(graph)
+    if not isinstance(hand_overs, HandOvers):
+        return "hand_over", hand_overs
     if graph.order() is None:
         return "precedence", [cycle_reason(graph, rule="cycle", why="Each of these waits for the one before it")]
     staffing = staffing_of(graph)
@@ -79,7 +84,7 @@ def read_problem(
     if reasons := too_crowded(graph, sharing, scene):
         return "sharing", reasons
     order = order_held_roles(graph, staffing, fleet)
-    if order is not None and order_open_ended(graph, sharing, order):
+    if order is not None and order_open_ended(graph, sharing, hand_overs, order):
         order = order_held_roles(graph, staffing, fleet)
         if order is None:
             why = "A shared resource would be held while waiting for an action that needs it, too"
@@ -102,7 +107,7 @@ def read_problem(
     if reasons := late or home_too_late(bounds, home_by):
         return "deadline_bound", reasons
     alike = alike_roles(graph, staffing, needs)
-    bundles, crews, required = bundles_of(graph), crews_of(graph), terms.required_robots(fleet)
+    bundles, crews, required = bundles_of(graph, hand_overs), crews_of(graph, hand_overs), terms.required_robots(fleet)
     holds, leaving = least_holds(graph, bounds), some_leave(fleet)
     return Problem(
         graph,
@@ -122,6 +127,7 @@ def read_problem(
         sharing,
         returning,
         home_by,
+        hand_overs,
     )
 
 
@@ -156,7 +162,9 @@ def best_of_runs(
         if draft is None:
             return best, [_TIME_IS_UP, *(late.reasons if late else ()), *failures]
         looked += run.looked
-        if reasons := draft.reasons or terms_broken(problem, draft.robot_of) or away(problem, draft):
+        if reasons := (
+            draft.reasons or terms_broken(problem, draft.robot_of) or away(problem, draft) or apart(problem, draft)
+        ):
             failures.update(dict.fromkeys(reasons))
         elif (missed := deadlines_missed(problem, draft)) is not None:
             late = missed if late is None else min(late, missed)

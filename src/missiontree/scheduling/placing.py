@@ -60,9 +60,11 @@ class Placing:
         self._board, self._casting, self._demands = board, casting, demands
 
     def offer(self, activity: int) -> Offer | None:
-        """The earliest start with robots that are free; None if some robot, or a shared resource, is held nobody knows how long."""
+        """The earliest start with robots that are free; None if a robot, a thing or a shared resource is held nobody knows how long."""
         board = self._board
         ready, actions = board.time[2 * activity], board.actions(activity)
+        if board.waiting and board.awaits(activity):
+            return None
         opening = [action.role for _, action in actions if not board.begun[action.role]]
         mates: list[int] = []
         if opening and board.rule.crew != "none":
@@ -84,7 +86,8 @@ class Placing:
             trips = {leaf: self._demands.trip(robots[action.role].spot, action) for leaf, action in actions}
             lasts = length(board, activity, trips)
             start = max(start, board.least_end.get(activity, 0) - lasts)
-            found = board.room(activity, start, None if activity in board.graph.until else lasts)
+            open_ended = activity in board.graph.until or activity in board.problem.hand_overs.taker
+            found = board.room(activity, start, None if open_ended else lasts)
             if found is None:
                 return None
             start = found

@@ -189,7 +189,7 @@ def _connect(graph: TaskGraph) -> None:
     for leaves in graph.roles.values():
         for before, after in itertools.pairwise(leaves):
             add[graph.end(before)].append(graph.start(after))
-    for first, second in graph.links("precedence"):
+    for first, second in (*graph.links("precedence"), *graph.links("hand_over")):
         add[graph.end(first)].append(graph.start(second))
     _connect_until(graph)
 

@@ -10,6 +10,7 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.bounds import Bounds
 from missiontree.scheduling.bundles import Bundles
+from missiontree.scheduling.hand_overs import NO_HAND_OVERS, HandOvers
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.sharing import NOTHING_SHARED, Sharing
@@ -48,6 +49,8 @@ class Problem:
         Whether robots that take part go home in the end. Default false.
     home_by
         Tick by which all of them must be home; None (default) means no such deadline.
+    hand_overs
+        Who hands over to whom. Default nobody.
     """
 
     graph: TaskGraph
@@ -67,6 +70,7 @@ class Problem:
     sharing: Sharing = NOTHING_SHARED
     returning: bool = False
     home_by: int | None = None
+    hand_overs: HandOvers = NO_HAND_OVERS
 
 
 @dataclass(frozen=True, slots=True)

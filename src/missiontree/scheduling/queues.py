@@ -48,7 +48,8 @@ class Queues:
         self._queues: dict[str, Queue] = {}
         self._list: list[Queue] = []
         self._aside: dict[str, dict[int, None]] = {}  # by type: roles that found not all the robots they need
-        self._blocked: dict[int, None] = {}  # activities that found no room in a shared resource
+        self._blocked: dict[int, None] = {}  # activities that wait for a shared resource or for a hand-over
+        self._may_be_blocked = bool(board.problem.sharing or board.problem.hand_overs)
 
     def __bool__(self) -> bool:
         return bool(self._heap)
@@ -91,7 +92,7 @@ class Queues:
                 self.call(self._queues[name])
 
     def make_room(self) -> None:
-        """A shared resource is known to be free again: what found no room in one comes up anew."""
+        """A shared resource is known to be free again, or a thing is handed over: what waited for that comes up anew."""
         blocked, self._blocked = self._blocked, {}
         for activity in blocked:
             if activity in self._board.placed:
@@ -121,7 +122,7 @@ class Queues:
             return
         offer = self._placing.offer(activity)
         if offer is None:
-            assert activity in self._board.problem.sharing.demand, "robots in their roles are there"
+            assert self._may_be_blocked, "robots in their roles are there"
             self._blocked[activity] = None
         elif offer.start > time:
             heapq.heappush(self._heap, (offer.start, 0, activity))
@@ -186,7 +187,7 @@ class Queues:
 
     def _put_aside(self, activity: int) -> None:
         board = self._board
-        if activity in board.problem.sharing.demand:
+        if self._may_be_blocked:
             self._blocked[activity] = None
         for mate in board.crews[board.crew_of[board.role(activity)]]:
             self._aside.setdefault(board.staffing.type_of[mate], {})[activity] = None

@@ -18,6 +18,7 @@ from missiontree.scheduling.course import Course
 from missiontree.scheduling.deadlines import deadlines_missed
 from missiontree.scheduling.demand import Demands
 from missiontree.scheduling.homing import go_home
+from missiontree.scheduling.meeting import apart
 from missiontree.scheduling.mission_terms import terms_broken
 from missiontree.scheduling.placing import length
 from missiontree.scheduling.precedence import indegrees
@@ -35,7 +36,7 @@ def replay(problem: Problem, course: Course) -> Draft | None:
         draft = _Replay(problem, course).draft()
     except StuckError:
         return None
-    if draft is None or terms_broken(problem, draft.robot_of) or away(problem, draft):
+    if draft is None or apart(problem, draft) or terms_broken(problem, draft.robot_of) or away(problem, draft):
         return None
     return None if deadlines_missed(problem, draft) is not None else draft
 
@@ -67,14 +68,23 @@ class _Replay:
         self._later = [list(later) for later in graph.successors]
         for roles in course.tours.values():
             for earlier, later in pairwise(roles):
-                self._later[graph.end(graph.roles[earlier][-1])].append(graph.start(graph.roles[later][0]))
+                last, first = graph.activity_of[graph.roles[earlier][-1]], graph.start(graph.roles[later][0])
+                self._later[2 * last + 1].append(first)
+                self._later[self._over(last)].append(first)
         for first, second in course.after_end:
             self._later[2 * first + 1].append(2 * second)
+            if (over := self._over(first)) != 2 * second:
+                self._later[over].append(2 * second)
         for first, second in course.after_start:
             self._later[2 * first].append(2 * second)
         self._under_way: dict[int, list[int]] = {}  # by open-ended activity: those that must end after it has started
         for open_ended, one in course.under_way.items():
             self._under_way.setdefault(open_ended, []).append(one)
+
+    def _over(self, activity: int) -> int:
+        """The event with which an activity is really over: who hands over waits for the taker's start."""
+        taker = self._board.problem.hand_overs.taker.get(activity)
+        return 2 * activity + 1 if taker is None else 2 * taker
 
     def draft(self) -> Draft | None:
         """Event by event, in an order that the course allows; None if there is none."""
@@ -88,8 +98,10 @@ class _Replay:
         while ready:
             event = heapq.heappop(ready)
             seen += 1
-            if event < activities:
-                self._finish(event // 2) if event % 2 else self._begin(event // 2)
+            if event < activities and event % 2 == 0:
+                self._begin(event // 2)
+            elif event < activities and event // 2 not in board.problem.hand_overs.taker:
+                self._finish(event // 2)
             later = list(self._later[event])
             for after in later:
                 board.time[after] = max(board.time[after], board.time[event])
@@ -136,7 +148,9 @@ class _Replay:
         board.placed[activity] = [(leaf, robots[leaf]) for leaf, _ in actions]
         board.time[2 * activity] = start
         board.time[2 * activity + 1] = max(board.time[2 * activity + 1], end)
-        board.hold(activity, start, end)
+        board.bring(activity, start, end)
+        for giver in board.problem.hand_overs.givers(activity):
+            board.hand_over(giver, start)
         for one in self._under_way.get(activity, ()):
             board.least_end[one] = max(board.least_end.get(one, 0), start + 1)
 

@@ -89,8 +89,8 @@ class Run:
             if event < activities and event % 2 == 0 and event // 2 not in board.placed:
                 self._may_begin(event // 2)
                 continue
-            if event < activities and event % 2 == 1:
-                self._finish(event // 2)
+            if event < activities and event % 2 == 1 and event // 2 not in board.problem.hand_overs.taker:
+                self._finish(event // 2)  # who hands over is over when the taker starts
             for after in self._graph.successors[event]:
                 board.time[after] = max(board.time[after], board.time[event])
                 board.missing[after] -= 1
@@ -138,13 +138,17 @@ class Run:
         board.placed[activity] = [(leaf, offer.robots[action.role]) for leaf, action in actions]
         board.time[2 * activity] = offer.start
         board.time[2 * activity + 1] = max(board.time[2 * activity + 1], end)
-        board.hold(activity, offer.start, None if activity in self._graph.until else end)
+        board.bring(activity, offer.start, end)
         for role in offer.mates:
             first = board.first(role)
             if not board.missing[2 * first] and first not in board.placed and not self._under_way.holds(first):
                 self._queues.line_up(first)  # now in the queue of its own robot
         for waiting in self._under_way.begun(activity):
             self._may_begin(waiting)
+        for giver in board.problem.hand_overs.givers(activity):
+            board.hand_over(giver, offer.start)
+            self._finish(giver)
+            self._queues.make_room()
         self._settle([2 * activity])
 
     def _do(self, leaf: int, action: Action, robot: RobotState, trip: Trip | None, start: int, end: int) -> None:

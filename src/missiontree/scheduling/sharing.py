@@ -14,6 +14,7 @@ from itertools import combinations
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.ticks import ticks
+from missiontree.scheduling.hand_overs import HandOvers
 from missiontree.scheduling.precedence import TaskGraph
 
 
@@ -89,20 +90,22 @@ def too_crowded(graph: TaskGraph, sharing: Sharing, scene: Scene) -> list[Reason
     return reasons
 
 
-def order_open_ended(graph: TaskGraph, sharing: Sharing, order: Sequence[int]) -> bool:
+def order_open_ended(graph: TaskGraph, sharing: Sharing, hand_overs: HandOvers, order: Sequence[int]) -> bool:
     """
     Add to the graph what open-ended holding implies; whether anything was added.
 
-    An action that lasts until another ends holds what it holds until then. What surely ends no later, takes time and finds no room
-    beside it can only be over before it starts.
+    An action that lasts until another ends holds what it holds until then; one that ends with a hand-over, until the taker starts. What
+    surely ends no later, takes time and finds no room beside it can only be over before it starts.
     """
     marks = {2 * activity + 1: 1 << activity for activity in sharing.demand}
-    before = graph.marks_before(order, marks) if any(activity in graph.until for activity in sharing.demand) else []
+    until = {activity: 2 * activity + 1 for activity in graph.until}
+    until |= {giver: 2 * taker for giver, taker in hand_overs.taker.items()}
+    before = graph.marks_before(order, marks) if any(activity in until for activity in sharing.demand) else []
     added = False
     for name in sharing.capacity if before else ():
         for pair in sharing.rivals(name):
             for lasting, other in (pair, pair[::-1]):
-                if lasting in graph.until and before[2 * lasting + 1] >> other & 1 and _takes_time(graph, other):
+                if lasting in until and before[until[lasting]] >> other & 1 and _takes_time(graph, other):
                     graph.successors[2 * other + 1].append(2 * lasting)
                     added = True
     return added

@@ -61,7 +61,7 @@ def staffing_of(graph: TaskGraph) -> Staffing:
         if team is not None:
             wears[group_of[role]].add(("team", team, 0))
             avoids[group_of[role]].add(("team", team, 0))
-    for number, link in enumerate(graph.links("different_robot")):
+    for number, link in enumerate([*graph.links("different_robot"), *graph.links("hand_over")]):
         for side, node in enumerate(link):
             for role in graph.roles_below(node):
                 wears[group_of[role]].add(("link", number, side))

@@ -123,6 +123,16 @@ class WorldState:
             earliest = max(earliest, state.since, state.used_until)
         return earliest
 
+    def needed(self, name: str, until: int) -> None:
+        """Somebody needs an entity where it is, until then."""
+        state = self.entity(name)
+        state.used_until = max(state.used_until, until)
+
+    def brought(self, name: str, since: int) -> None:
+        """An entity is where it is from then on only."""
+        state = self.entity(name)
+        state.since = max(state.since, since)
+
     def do(self, robot: RobotState, action: Action, start: int, end: int) -> None:
         """Let a robot do an action: it, and what it brings, are elsewhere afterwards."""
         self.do_jointly([(robot, action)], start, end)

@@ -254,7 +254,7 @@ class _Pupil:
 
     def _read_links(self) -> None:
         for link in self.lesson.tree.links:
-            if link.kind in {"same_robot", "different_robot"}:
+            if link.kind in {"same_robot", "different_robot", "hand_over"}:
                 kind = link.kind.replace("_", "-")
                 message = f"the tree has a {kind} link, from {link.first!r} to {link.second!r}, and a method has no such links"
                 raise InputError(message, hint="Leave that link out of the tree, or compose a routine that has it.")

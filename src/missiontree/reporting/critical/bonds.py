@@ -90,6 +90,7 @@ class Bonds:
         self._held = self._spans.inherited("precedence")
         self._ended_by = self._spans.inherited("until")
         self._keeps = self._reversed_until()
+        self.taker = self._takers()
 
     def time(self, event: Event) -> int:
         """When an event happens."""
@@ -245,6 +246,15 @@ class Bonds:
                 self._brought.setdefault(name, []).append(leaf)
         for done in self._robots.values():
             done.sort()
+
+    def _takers(self) -> dict[int, int]:
+        """By action that ends with a hand-over: the action that takes over."""
+        found: dict[int, int] = {}
+        for link in self.tree.links:
+            last, first = self.last_below(link.first), self.first_below(link.second)
+            if link.kind == "hand_over" and last is not None and first is not None:
+                found |= dict.fromkeys(self.joint(last), first)
+        return found
 
     def _reversed_until(self) -> dict[int, list[int]]:
         """By action: the open-ended actions that must be under way when it ends, by whichever link."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.schedule import ScheduledAction
-from missiontree.mission.tree import LinkKind
+from missiontree.mission.tree import IN_ORDER, LinkKind
 
 
 def ms(time_s: float) -> int:
@@ -47,11 +47,11 @@ class Spans:
         """
         For every scheduled leaf, the action that decides over links of a kind into it or into a node above it.
 
-        For precedence that is the latest end of what comes before; for until, of what it lasts until.
+        For precedence, hand-overs among it, that is the latest end of what comes before; for until, of what it lasts until.
         """
         over: list[int | None] = [None] * len(self._tree.nodes)
         for link in self._tree.links:
-            if link.kind == kind:
+            if link.kind == kind or (kind == "precedence" and link.kind in IN_ORDER):
                 held, by = (link.second, link.first) if kind == "precedence" else (link.first, link.second)
                 over[held] = self._later(over[held], self.last[by])
         for node, given in enumerate(self._tree.nodes):

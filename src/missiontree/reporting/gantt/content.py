@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from missiontree.mission.chain import Step
@@ -119,6 +119,8 @@ class Content:
         By when the mission must have ended; None (default) means no deadline.
     shared
         Shared resources that are held, in the order of the scene. Default: none.
+    handing
+        By leaf that hands over or takes over: to whom, or from whom, in words. Default: none.
     """
 
     rows: Sequence[Row]
@@ -129,3 +131,4 @@ class Content:
     joint: Sequence[Sequence[int]]
     deadline_s: float | None = None
     shared: Sequence[SharedRow] = ()
+    handing: Mapping[int, str] = field(default_factory=dict)

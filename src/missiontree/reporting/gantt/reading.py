@@ -10,6 +10,7 @@ from missiontree.mission.chain import Step
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Leg, OwnLeg, Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.tree import IN_ORDER
 from missiontree.reporting.critical.bonds import Bonds, Event
 from missiontree.reporting.critical.chain import critical_chain
 from missiontree.reporting.critical.spans import ms
@@ -59,7 +60,17 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
         joint,
         tree.nodes[0].deadline_s,
         shared_rows(tree, bonds.at.values(), resources, looks),
+        handing_of(bonds),
     )
+
+
+def handing_of(bonds: Bonds) -> dict[int, str]:
+    """Who hands over to whom, and who takes over from whom, by leaf."""
+    words = {giver: f"hands over to {bonds.at[taker].robot}" for giver, taker in bonds.taker.items()}
+    for giver, taker in bonds.taker.items():
+        for mate in bonds.joint(taker):
+            words.setdefault(mate, f"takes over from {bonds.at[giver].robot}")
+    return words
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,6 +110,7 @@ class _Robot:
             f"part of {one_line(self.tree.roles[action.role].label)}",
         ]
         lines += times_of(self.tree, one.leaf)
+        lines += [words for leaf, words in handing_of(self.bonds).items() if leaf == one.leaf]
         if action.moves and leg is not None:
             lines.append(_distance(leg))
         return Bar(one.leaf, one.start_s, one.end_s, text, way, action.moves, lit, "\n".join(lines))
@@ -158,7 +170,7 @@ def _orders(tree: GroundedTree, bonds: Bonds, chain: Sequence[Step]) -> Iterator
                 seen.add((before.leaf, second))
                 yield Order(before.leaf, second, lit=True, to_end=after.kind == "until")
     for link in tree.links:
-        if link.kind == "precedence":
+        if link.kind in IN_ORDER:
             first, last = bonds.last_below(link.first), bonds.first_below(link.second)
             if first is None or last is None or (first, last) in seen:
                 continue

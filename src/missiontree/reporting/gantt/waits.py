@@ -14,6 +14,8 @@ def why_waited(bonds: Bonds, leaf: int) -> str:
     causes = [*_binding(bonds, Event("start", leaf)), *_binding(bonds, Event("end", leaf))]
     told = [cause for cause in causes if cause.bond in _TOLD and not _idle_partner(bonds, cause)]
     cause = min(told, key=lambda cause: _TOLD.index(cause.bond), default=None)
+    if cause is None and leaf in bonds.taker:
+        return f"for {bonds.at[bonds.taker[leaf]].robot}, to hand over"
     if cause is None and bonds.released(Event("start", leaf)):
         return f"until it may start, at {exact(bonds.at[leaf].start_s)}"
     return "" if cause is None else _told(bonds, cause, leaf)

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from missiontree.mission.plan import Plan
+from missiontree.mission.tree import IN_ORDER
 
 _FIELD = re.compile(r"\{([^{}]*)\}")
 _ASIDE = re.compile(r", with one robot(?=[.,]|$)")  # true of whoever is listed under one robot
@@ -50,7 +51,7 @@ class JobWords:
         self._before: dict[str, list[str]] = defaultdict(list)
         if plan.tree is not None:
             for link in plan.tree.links:
-                if link.kind == "precedence":
+                if link.kind in IN_ORDER:
                     self._before[link.second].append(plan.tree.by_id[link.first].label)
 
     def job(self, role: int, when: str = "") -> Job:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from rich.console import Console, ConsoleOptions, RenderResult
@@ -110,7 +110,9 @@ def _lists(content: Content, rows: list[Row]) -> Table:
     table.add_column(justify="right", no_wrap=True)
     table.add_column(justify="right", no_wrap=True)
     table.add_column()
-    lines = [(shown.robot, list(_lines(shown, own.get(shown.robot, []), mates))) for shown in content.rows]
+    lines = [
+        (shown.robot, list(_lines(shown, own.get(shown.robot, []), mates, content.handing))) for shown in content.rows
+    ]
     told = 0
     for robot, of_robot in lines:
         for index, line in enumerate(of_robot):
@@ -129,7 +131,7 @@ def _lists(content: Content, rows: list[Row]) -> Table:
     return table
 
 
-def _lines(shown: Shown, rows: list[Row], mates: dict[int, str]) -> Iterator[_Line]:
+def _lines(shown: Shown, rows: list[Row], mates: dict[int, str], handing: Mapping[int, str]) -> Iterator[_Line]:
     """What a robot does, travels and waits for, in order of time."""
     lit = {bar.leaf for bar in shown.bars if bar.lit}
     lit_ways = {(way.start_s, way.end_s) for way in shown.ways if way.lit}
@@ -137,6 +139,7 @@ def _lines(shown: Shown, rows: list[Row], mates: dict[int, str]) -> Iterator[_Li
     for row in rows:
         bright = (row.start_s, row.end_s) in lit_ways if row.travel else row.leaf in lit
         beside = f", with {mates[row.leaf]}" if row.leaf in mates and not row.travel else ""
+        beside += f", {handing[row.leaf]}" if row.leaf in handing and not row.travel else ""
         found.append(_Line(row.start_s, row.end_s, row.text + beside, row.moving, bright))
     found += [
         _Line(wait.start_s, wait.end_s, f"wait {wait.label}".rstrip(), quiet=True, lit=False) for wait in shown.waits

@@ -53,6 +53,7 @@ class LinkStyle:
 LINK_STYLES: dict[LinkKind, LinkStyle] = {
     "precedence": LinkStyle("precedence", BLUE, "", "", "head", "ends before the other starts"),
     "until": LinkStyle("until", VIOLET, "9 4", "", "stop", "goes on until the other ends"),
+    "hand_over": LinkStyle("hand-over", BLUE, "6 3", "ring", "head", "hands over: ends when the other starts"),
     "same_robot": LinkStyle("same-robot", VIOLET, "1.6 3.4", "dot", "dot", "done by one and the same robot"),
     "different_robot": LinkStyle("different-robot", VIOLET, "8 3 2 3", "ring", "ring", "done by different robots"),
 }

@@ -15,6 +15,7 @@ LINK_WORDS: dict[LinkKind, str] = {
     "same_robot": "same robot",
     "different_robot": "different robots",
     "until": "until",
+    "hand_over": "hands over",
 }
 
 

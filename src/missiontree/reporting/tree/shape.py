@@ -144,6 +144,7 @@ _SENTENCES: dict[LinkKind, str] = {
     "same_robot": "{} and {} are done by one and the same robot",
     "different_robot": "{} and {} are done by different robots",
     "until": "{} lasts until {} ends",
+    "hand_over": "{} hands over to {}, which starts just then",
 }
 
 

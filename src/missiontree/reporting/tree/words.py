@@ -72,6 +72,7 @@ _KIND_WORDS = {
     "same_robot": "the same robot",
     "different_robot": "different robots",
     "until": "until",
+    "hand_over": "hand-over",
 }
 
 

@@ -62,6 +62,8 @@ class SecondForm:
             model.at_least(Affine(None, deadline), self._at[2 * activity + 1])
         for earlier, later in precedences(self._graph):
             model.at_least(self._event(later), self._event(earlier))
+        for giver, taker in sorted(problem.hand_overs.taker.items()):
+            model.at_least(self._at[2 * giver + 1], self._at[2 * taker])
         for open_ended, ones in sorted(self._graph.until.items()):
             self._under_way(open_ended, sorted(ones))
         self._ordering = Ordering(model, problem)

@@ -43,6 +43,8 @@ class Times:
         self.event: dict[int, Affine] = {}
         self._order()
         self._under_way()
+        for giver, taker in sorted(problem.hand_overs.taker.items()):
+            self.model.at_least(self.end[giver], self.start[taker])  # and no sooner, by the order
         for activity, deadline in sorted(graph.deadline.items()):
             self.model.at_least(Affine(None, deadline), self.end[activity])
 

@@ -100,6 +100,7 @@ class Trying:
             self._of_kind.setdefault(kind_id, []).append(number)
         self._first = {role: self._graph.activity_of[leaves[0]] for role, leaves in self._graph.roles.items()}
         self._last = {role: leaves[-1] for role, leaves in self._graph.roles.items()}
+        self._takers = problem.hand_overs.taker
         self._steps = 0
         self._best: Course | None = None
         self._under_way: dict[int, int] = {}
@@ -128,9 +129,24 @@ class Trying:
         return Tried(True, self._best, self._steps)
 
     def _out_of_turn(self) -> bool:
-        """Whether what sets the end of an open-ended action holds a shared resource: it may be put down after what starts later."""
+        """
+        Whether an order of starts may not do: what sets the end of an open-ended action may be put down after what starts later, which
+        matters if it holds a shared resource, or if anything is handed over.
+        """
         sharing = self._problem.sharing
+        if self._problem.hand_overs and self._graph.until:
+            return True
         return any(one in sharing.demand for ends in self._graph.until.values() for one in ends)
+
+    def _awaits(self, state: State, activity: int) -> bool:
+        """Whether an activity touches what is still to be handed over to another, or takes away the place where that is to be."""
+        for giver, taker in self._takers.items():
+            if giver in state.starts and taker not in state.starts and taker != activity:
+                brought = {name for _, action in self._actions[giver] for name in action.brings}
+                kept = brought | {action.at for _, action in self._actions[giver]}
+                if any(action.at in brought or kept & {*action.brings} for _, action in self._actions[activity]):
+                    return True
+        return False
 
     def _begin(self) -> State:
         problem, left = self._problem, dict[tuple[str, str], float]()
@@ -168,7 +184,7 @@ class Trying:
         for activity in range(len(self._actions)):
             if activity in state.starts or state.missing[2 * activity]:
                 continue
-            if any(one not in state.starts for one in self._waits.get(activity, ())):
+            if any(one not in state.starts for one in self._waits.get(activity, ())) or self._awaits(state, activity):
                 continue
             for robots in self._staffings(state, activity):
                 after = self._put(state, activity, robots)
@@ -296,6 +312,8 @@ class Trying:
             self._move(after, leaf, robots[action.role], goal, (start, end))
         after.time[2 * activity] = start
         after.time[2 * activity + 1] = max(after.time[2 * activity + 1], end)
+        for giver in self._problem.hand_overs.givers(activity):
+            self._hand_over(after, giver, start)
         self._settle(after, [2 * activity])
         return after
 
@@ -325,7 +343,8 @@ class Trying:
             length = 0
         for one in self._waits.get(activity, ()):
             start = max(start, state.starts[one] + 1 - length)
-        room = self._room(state, activity, start, None if activity in self._graph.until else length)
+        lasting = activity in self._graph.until or activity in self._takers
+        room = self._room(state, activity, start, None if lasting else length)
         return (0, 0, None) if room is None else (room, length, trips)
 
     def _room(self, state: State, activity: int, start: int, length: int | None) -> int | None:
@@ -334,13 +353,18 @@ class Trying:
         if activity not in sharing.demand:
             return start
 
+        givers = self._problem.hand_overs.givers(activity)  # they let go when it starts
+
         def held(name: str) -> list[Hold]:
-            taken = ((one, robots) for one, robots in sharing.holders(name).items() if one in state.starts)
+            there = ((one, robots) for one, robots in sharing.holders(name).items() if one in state.starts)
+            taken = [(one, robots) for one, robots in there if one not in givers]
             return [Hold(state.starts[one], self._known_end(state, one), robots) for one, robots in taken]
 
         return room_for(sharing, activity, held, start, length)
 
     def _known_end(self, state: State, activity: int) -> int | None:
+        if activity in self._takers:  # held until it is handed over
+            return state.starts.get(self._takers[activity])
         event = 2 * activity + 1
         return None if state.missing[event] else state.time[event]
 
@@ -373,6 +397,18 @@ class Trying:
         for name in action.brings:
             state.things[name] = (goal, end, self._thing(state, name)[2])
 
+    def _hand_over(self, state: State, giver: int, moment: int) -> None:
+        """The taker has come: until then the giver was there, and what it brought was on the way."""
+        state.time[2 * giver + 1] = moment
+        self._over(state, giver)
+        for _, action in self._actions[giver]:
+            if action.at is not None:
+                spot, since, needed = self._thing(state, action.at)
+                state.things[action.at] = (spot, since, max(needed, moment))
+            for name in action.brings:
+                spot, since, needed = self._thing(state, name)
+                state.things[name] = (spot, max(since, moment), needed)
+
     def _settle(self, state: State, events: list[int]) -> None:
         """Pass on the times of events that are known by now."""
         activities, stack = 2 * len(self._actions), events
@@ -380,7 +416,7 @@ class Trying:
             event = stack.pop()
             if event < activities and event % 2 == 0 and event // 2 not in state.starts:
                 continue
-            if event < activities and event % 2:
+            if event < activities and event % 2 and event // 2 not in self._takers:
                 self._over(state, event // 2)
             for after in self._graph.successors[event]:
                 state.time[after] = max(state.time[after], state.time[event])
@@ -412,7 +448,7 @@ class Trying:
                 if begun is not None:
                     (after_start if begun else after_end).append((first, second))
         if self._problem.sharing:
-            spans = {one: (state.time[2 * one], state.time[2 * one + 1]) for one in self._problem.sharing.demand}
+            spans = {one: (state.starts[one], state.time[2 * one + 1]) for one in self._problem.sharing.demand}
             rank = {one: place for place, one in enumerate(state.placed)}
             after_end += turns(self._problem.sharing, spans, rank)
         return Course(robots, tours, after_end, after_start, dict(self._under_way))
