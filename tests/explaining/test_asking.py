@@ -60,10 +60,25 @@ def test_a_robot_that_does_it_less_well_costs_the_difference_in_quality() -> Non
         "SearchTree(cat) by Transportation-Robot",
         "transportation for search(CAT)",
         "transportation_robot-1 on Search(cat)",
+        "Why is the transportation robot not doing Search(cat)?",
     ],
 )
 def test_questions_are_understood_as_people_type_them(question: str) -> None:
     assert why_not(rescue(), question).moved == why_not_by(rescue(), "transportation_robot", "cat").moved
+
+
+def test_a_part_may_be_named_by_what_it_is_about_or_by_who_does_it() -> None:
+    assert why_not(rescue(), "transportation_robot for the firefighter").moved[0].node == "firefighter"
+    assert why_not(rescue(), "social_robot instead of transportation_robot").question == (
+        "Why not Social Robot for ReachAndTransport(cat, safe_area)?"
+    )
+
+
+def test_what_tasks_lose_adds_up_to_what_the_alternative_loses() -> None:
+    answer = why_not(planned(rescue_tree(), brief_of(rescue_tree(), check_kinds=False)), "7")
+    assert answer.asked_utility is not None
+    assert answer.utility is not None
+    assert answer.asked_utility - answer.utility == pytest.approx(sum(one.utility_change for one in answer.moved))
 
 
 def test_what_a_rule_forbids_is_told_with_the_rule_for_each_way() -> None:
@@ -92,10 +107,10 @@ def test_rules_for_the_whole_mission_can_forbid_what_a_robot_is_able_to_do() -> 
     )
 
 
-def test_an_alternative_is_priced_choice_by_choice() -> None:
+def test_an_alternative_is_told_by_what_it_loses_task_by_task() -> None:
     answer = why_not(rescue(), "alternative 4")
     assert (answer.verdict, answer.utility, answer.asked_utility) == ("worse", 8.6, 4.4)
-    assert "Search(firefighter) as in alternative 4, and the rest chosen anew, costs 2.1." in answer.words
+    assert [one.utility_change for one in answer.moved] == [-2.1, -2.1]
     assert answer.asked_makespan_s is not None
     assert answer.makespan_s is not None
     assert answer.asked_makespan_s - answer.makespan_s == 67  # one robot does both searches

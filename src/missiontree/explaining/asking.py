@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 from missiontree.briefing import Request
 from missiontree.errors import InputError
+from missiontree.explaining.answering import best_of
 from missiontree.explaining.explain import request_of
 from missiontree.explaining.naming import nodes_named, team_member
 from missiontree.explaining.rank_asked import why_not_rank
@@ -19,6 +20,7 @@ from missiontree.explaining.robot_asked import why_not_robot
 from missiontree.explaining.without_asked import what_without
 from missiontree.mission.control import Control
 from missiontree.mission.plan import Plan
+from missiontree.mission.tree import MissionNode
 from missiontree.mission.why_not import WhyNot
 
 ACCEPTED = "'Tele-Robot for Search(cat)', 'Search(cat) by Tele-Robot', 'Tele-Robot', or 'alternative 3'"
@@ -26,7 +28,11 @@ _AROUND = re.compile(
     r"^\s*(?:why\s+not\s+)?(?:use\s+|take\s+)?(?:a\s+|an\s+|the\s+)?(.*?)\s*\??\s*$", re.IGNORECASE | re.DOTALL
 )
 _RANK = re.compile(r"(?:alternative|rank|number|no\.?|#)?\s*([0-9]{1,6})", re.IGNORECASE)
-_JOINS = (" for ", " on ", " at ", " in ", " to do ", " do ")
+_NOT_DOING = re.compile(
+    r"^\s*why\s+(?:is|are|does|do|did|was)\s+(.*?)\s+not\s+(?:doing|do|used\s+for|used|taken\s+for|for)\s+(.*?)\s*\??\s*$",
+    re.IGNORECASE | re.DOTALL,
+)
+_JOINS = (" instead of ", " for ", " on ", " at ", " in ", " to do ", " do ")
 
 
 def why_not(plan: Plan, question: str, *, control: Control | None = None, request: Request | None = None) -> WhyNot:
@@ -55,6 +61,8 @@ def why_not(plan: Plan, question: str, *, control: Control | None = None, reques
         If the plan is not delivered, or the question names what there is not, with what is accepted.
     """
     request, control = _ready(plan, request), control or Control()
+    if (doing := _NOT_DOING.match(question)) is not None:
+        question = f"{doing[1]} for {doing[2]}"
     found = _AROUND.match(question)
     asked = found[1] if found is not None else question
     if (ranked := _RANK.fullmatch(asked.strip())) is not None:
@@ -70,7 +78,7 @@ def why_not_by(
     request, control = _ready(plan, request), control or Control()
     assert plan.tree is not None
     type_id, _ = team_member(robot, plan.brief.fleet, "--why-not")
-    nodes = nodes_named(node, plan.tree, "--why-not") if node else (plan.tree.root,)
+    nodes = _nodes(node, plan)
     return why_not_robot(plan, request, type_id, nodes, control)
 
 
@@ -101,6 +109,39 @@ def _ready(plan: Plan, request: Request | None) -> Request:
     return request or request_of(plan)
 
 
+def _nodes(name: str, plan: Plan) -> tuple[MissionNode, ...]:
+    """Parts of the mission that a name means: by their own name, what they are about, or who does them; without a name all of it."""
+    assert plan.tree is not None
+    if not name:
+        return (plan.tree.root,)
+    labels = {one.id: one.label or one.id for one in plan.brief.world.extended(plan.tree.entities).all_entities}
+    try:
+        return nodes_named(name, plan.tree, "--why-not", labels)
+    except InputError:
+        done = _done_by(name, plan)
+        if not done:
+            raise
+        return done
+
+
+def _done_by(name: str, plan: Plan) -> tuple[MissionNode, ...]:
+    """Tasks of the best alternative that a robot or robot type does; none if the name is nobody's."""
+    try:
+        type_id, robot = team_member(name, plan.brief.fleet, "--why-not")
+    except InputError:
+        return ()
+    best = best_of(plan)
+    assert best is not None
+    assert plan.grounding is not None
+    assert plan.tree is not None
+    tree = plan.grounding.tree
+    types = {filled.role: filled.robot_type for filled in best[0].roles}
+    robots = {assigned.role: assigned.robot for assigned in best[1].assignments}
+    roles = [role for role in types if types[role] == type_id and robot in {"", robots.get(role)}]
+    sources = {tree.roles[role].source for role in roles}
+    return tuple(node for node in plan.tree.nodes if node.id in sources)
+
+
 def _parts(asked: str, plan: Plan) -> tuple[str, str]:
     """Robot and node of a question, whichever way round they stand."""
     splits = [(asked, "")]
@@ -128,9 +169,10 @@ def _parts(asked: str, plan: Plan) -> tuple[str, str]:
 
 def _refuse_part_alone(asked: str, plan: Plan) -> None:
     """Say so if a part of the mission is named and nobody who should do it."""
-    assert plan.tree is not None
+    if not asked:
+        return
     try:
-        node = nodes_named(asked, plan.tree, "--why-not")[0]
+        node = _nodes(asked, plan)[0]
     except InputError:
         return
     types = ", ".join(kind.label or kind.id for kind in plan.brief.fleet.types)

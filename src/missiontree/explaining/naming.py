@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from missiontree.authoring.matching import same_name, suggestions, without_articles
 from missiontree.errors import InputError
@@ -11,9 +11,23 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.tree import MissionNode, MissionTree
 
 
-def nodes_named(name: str, tree: MissionTree, where: str) -> tuple[MissionNode, ...]:
+def nodes_named(
+    name: str, tree: MissionTree, where: str, labels: Mapping[str, str] | None = None
+) -> tuple[MissionNode, ...]:
     """
-    Nodes that a name means: those of this id, else of this label or call, else all calls of this routine.
+    Nodes that a name means: those of this id, else of this label or call, else all calls of this routine, else all about this
+    entity.
+
+    Parameters
+    ----------
+    name
+        What was written.
+    tree
+        The mission.
+    where
+        Where it was written, for the message.
+    labels
+        What entities are called, by id. Default: none are meant by a name of their own.
 
     Raises
     ------
@@ -22,8 +36,13 @@ def nodes_named(name: str, tree: MissionTree, where: str) -> tuple[MissionNode, 
     """
     if name in tree.by_id:
         return (tree.by_id[name],)
-    asked = _loosely(name)
-    for key in (lambda node: _names(node, tree), lambda node: (node.routine or "",)):
+    asked, called = _loosely(name), labels or {}
+    ways: tuple[Callable[[MissionNode], tuple[str, ...]], ...] = (
+        lambda node: _names(node, tree),
+        lambda node: (node.routine or "",),
+        lambda node: tuple(text for one in node.arguments.values() if one in called for text in (one, called[one])),
+    )
+    for key in ways:
         found = tuple(node for node in tree.nodes if asked and any(_loosely(one) == asked for one in key(node)))
         if found:
             return found

@@ -1,15 +1,11 @@
-"""The explanation of a plan from a file, for whoever shows it: also of one for a part of a mission, whose whole is planned again."""
+"""The explanation of a plan that nobody asked to be explained, for whoever shows it."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from missiontree.explaining.explain import explained, request_of
-from missiontree.explaining.whole import as_given
 from missiontree.mission.control import Control
 from missiontree.mission.explanation import Explanation
 from missiontree.mission.plan import Plan
-from missiontree.planner import plan_authored
 
 MOST_NODES = 4_000
 """Nodes over the fleet of a plan that is explained unasked; more takes more time than somebody who did not ask would wait."""
@@ -36,8 +32,4 @@ def explanation_of(plan: Plan, control: Control, most: int = 3) -> Explanation |
     """
     if not worth_explaining(plan):
         return None
-    request = request_of(plan)
-    if plan.partial is not None:
-        request = replace(request, tree=plan.partial.whole)
-        plan = plan_authored(request, as_given(plan.partial.whole, plan.brief), control)
-    return explained(plan, request, control, most).told
+    return explained(plan, request_of(plan), control, most).told

@@ -120,7 +120,7 @@ def _tie(best: Alternative, other: Alternative) -> Iterator[str]:
 def _prices(
     plan: Plan, request: Request, best: Alternative, other: Alternative, moved: tuple[Moved, ...], control: Control
 ) -> Iterator[str]:
-    """What each of several differences costs by itself, the rest chosen anew."""
+    """What differences cost by themselves, the rest chosen anew, where that is not what they lose in the alternative."""
     assert plan.grounding is not None
     if not 1 < len(moved) <= MOST_PRICED:
         return
@@ -138,6 +138,8 @@ def _prices(
         found: Found = pinned(plan, request, forbidden, control.part(1 / (len(moved) - place)))
         if found.alternative is not None and found.proven:
             loss = best.utility - found.alternative.utility
+            if abs(loss + one.utility_change) <= MILLIONTH:
+                continue
             price = f"costs {loss:g}" if loss > MILLIONTH else "costs nothing"
             yield f"{one.task} as in alternative {other.rank}, and the rest chosen anew, {price}."
 
