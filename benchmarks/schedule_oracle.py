@@ -11,14 +11,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import combinations, permutations, product
+from itertools import combinations, pairwise, permutations, product
 
 from benchmarks.schedule_cases import ScheduleCase
 from missiontree.mission.grounded import Action
 from missiontree.mission.shared_resource import SharedResource
 
 SLACK = 1e-6
-MOST_STEPS = 6_000
+MOST_STEPS = 3_000
 
 
 class TooMuchError(Exception):
@@ -90,6 +90,7 @@ class Oracle:
         self.same: list[set[int]] = []
         self.different: list[tuple[set[int], set[int]]] = []
         self.best: int | None = None
+        self.widest = max(map(len, self.units), default=1)
         self.steps = 0
         self.taker: dict[int, int] = {}  # by unit that hands over: the unit that takes over
         self.unfit = False
@@ -197,12 +198,32 @@ class Oracle:
         return list(found)
 
     def _try(self) -> None:
+        self.rest = self._rests()
         own_ends = [sorted(self._own_ends(leaf)) for leaf in sorted(self.until)]
         for chosen in product(*own_ends):
             latest: dict[int, list[int]] = {}
             for open_ended, one in zip(sorted(self.until), chosen, strict=True):
                 latest.setdefault(one, []).append(open_ended)
             self._go_on(self._begin(), latest, 0)
+
+    def _rests(self) -> dict[int, int]:
+        """For each action, how long those after it take at least, one after the other; moves may take no time."""
+        after: dict[int, set[int]] = {leaf: set() for leaf in self.leaves}
+        for own in self.roles.values():
+            for leaf, later in pairwise(own):
+                after[leaf].add(later)
+        for leaf, earlier in self.before.items():
+            for one in earlier:
+                after[one].add(leaf)
+        least = self.lasts = {
+            leaf: 0 if leaf in self.until or self._action(leaf).moves else _ms(self._action(leaf).duration_s)
+            for leaf in self.leaves
+        }
+        rest = dict.fromkeys(self.leaves, 0)
+        for _ in self.leaves:  # enough for every chain; in a circle nothing is ever done
+            for leaf in self.leaves:
+                rest[leaf] = max([0, *(least[one] + rest[one] for one in after[leaf])])
+        return rest
 
     def _own_ends(self, leaf: int) -> set[int]:
         """Actions with an end of their own that set the end of an open-ended one."""
@@ -246,13 +267,20 @@ class Oracle:
                 makespan = max(*world.end.values(), *(world.free[robot] for robot in world.robot_of.values()))
                 self.best = makespan if self.best is None else min(self.best, makespan)
             return
+        if self._too_late(world, sorted_from):
+            return
+        found: list[tuple[int, int, _World]] = []
         for unit in self.units:
             if unit[0] in world.start or not self._may_begin(world, unit, latest):
                 continue
             for robots in self._staffings(world, unit):
                 after = self._put(world, unit, robots, latest, sorted_from)
                 if after is not None:
-                    self._go_on(after, latest, 0 if self.until else after.start[unit[0]])
+                    found.append((after.start[unit[0]], unit[0], after))
+        # What begins soonest comes first: a good best rules out much.
+        for start, first, after in sorted(found, key=lambda one: one[:2]):
+            if not self._in_vain(after, first):
+                self._go_on(after, latest, 0 if self.until else start)
 
     def _may_begin(self, world: _World, unit: list[int], latest: dict[int, list[int]]) -> bool:
         moved = {name for leaf in unit for name in self._action(leaf).brings}
@@ -292,13 +320,27 @@ class Oracle:
                 if world.held.get(robots[0]) not in (None, action.role):
                     return
             else:
-                robots = [r.id for r in self.fleet.by_id[action.robot_type].members if r.id not in world.held]
+                robots = self._free_robots(world, action.robot_type)
             options.append([(action.role, robot) for robot in robots])
         for chosen in product(*options):
             if len({robot for _, robot in chosen}) == len(chosen):
                 binding = world.robot_of | dict(chosen)
                 if self._staffed(binding):
                     yield dict(chosen)
+
+    def _free_robots(self, world: _World, type_id: str) -> list[str]:
+        """Robots of a type that nothing holds; of equal ones that have done nothing yet, as many as roles may still begin with."""
+        kind, used, found = self.fleet.by_id[type_id], set(world.robot_of.values()), list[str]()
+        fresh = 0
+        for robot in kind.members:
+            if robot.id in world.held:
+                continue
+            if not kind.robots and robot.id not in used and robot.id not in self.case.terms.require:
+                fresh += 1
+                if fresh > self.widest:
+                    continue
+            found.append(robot.id)
+        return found
 
     def _staffed(self, binding: dict[int, str]) -> bool:
         for roles in self.same:
@@ -354,9 +396,32 @@ class Oracle:
             for leaf in unit:
                 self._over(after, leaf, end)
         self._settle(after)
-        if self.best is not None and max(after.end.values(), default=0) >= self.best:
-            return None
-        return after
+        return None if self._in_vain(after, unit[0]) else after
+
+    def _too_late(self, world: _World, soonest: int) -> bool:
+        """Whether what is left, none of which starts sooner than that, cannot all end sooner than the best."""
+        if self.best is None:
+            return False
+        left: dict[str, int] = {}
+        for leaf in self.leaves:
+            if leaf not in world.start:
+                begins = max([soonest, self.release[leaf], *(world.end.get(one, 0) for one in self.before[leaf])])
+                if begins + self.lasts[leaf] + self.rest[leaf] >= self.best:
+                    return True
+                type_id = self._action(leaf).robot_type
+                left[type_id] = left.get(type_id, 0) + self.lasts[leaf]
+        for type_id, work in left.items():
+            members = self.fleet.by_id[type_id].members
+            if sum(max(0, self.best - 1 - max(soonest, world.free[robot.id])) for robot in members) < work:
+                return True
+        return False
+
+    def _in_vain(self, world: _World, last: int) -> bool:
+        """Whether nothing that goes on from here ends sooner than the best; ``last`` was put down last."""
+        if self.best is None:
+            return False
+        least = world.end.get(last, world.start[last]) + self.rest[last]
+        return max([least, *world.end.values()]) >= self.best
 
     def _earliest(
         self, world: _World, unit: list[int], robots: dict[int, str], latest: dict[int, list[int]]

@@ -1,7 +1,7 @@
 """
 Dispatching: the clock goes forward, and whenever a robot is free it takes the most urgent action that waits for its type.
 
-The parallel generation of schedules (Giffler and Thompson 1960; Kolisch 1996). Unlike the serial one it leaves no robot idle while something
+The parallel generation of schedules (Giffler and Thompson 1960; Kolisch 1996). Unlike the serial one it leaves nobody idle while something
 waits for it, which is what counts where the load of equal robots binds. Choices are made beforehand.
 """
 
