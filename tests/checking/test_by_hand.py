@@ -22,6 +22,7 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
 from missiontree.mission.shared_resource import SharedResource
+from missiontree.mission.tree import LinkKind
 from missiontree.routines.library import built_in
 from tests.builders import and_, grounded, leaf, xor_
 
@@ -541,3 +542,30 @@ def test_what_takes_no_time_is_not_inside_what_fills_the_door() -> None:
     scene = replace(SCENE, resources=(SharedResource(id="door"),))
     for moment, expected in ((0, []), (4, []), (2, ["resource_overfull"])):
         assert rules(plan_of(tree, times((1, "r-1", 0, 4), (2, "r-2", moment, moment)), scene=scene)) == expected
+
+
+def relay(take_s: float, *, at: str = "box", kind: LinkKind = "hand_over") -> Plan:
+    """Robot r-1 works 5 s at the box, until 10 s, and hands over to r-2, which takes 2 s there; both are there from the start."""
+    tree = grounded(
+        and_(
+            and_(leaf("give", role="R0", duration_s=5, at="box"), label="giver"),
+            and_(leaf("take", role="R1", duration_s=2, at=at), label="taker"),
+        ),
+        (("giver", "taker", kind),),
+    )
+    spans = times((2, "r-1", 5, 10), (4, "r-2", take_s, take_s + 2))
+    return plan_of(tree, spans, fleet=team(position=THERE), scene=SCENE)
+
+
+def test_who_takes_over_starts_just_when_who_hands_over_ends() -> None:
+    """The giver ends at 10 s; a tick more or less is the clock's."""
+    assert rules(relay(10)) == []
+    assert rules(relay(10.001)) == []
+    fault = only(relay(12))
+    assert (fault.rule, fault.found, fault.needed, fault.robot) == ("hand_over_missed", "12 s", "10 s", "r-2")
+    assert rules(relay(12, kind="precedence")) == []
+
+
+def test_who_takes_over_is_where_who_hands_over_is() -> None:
+    """The place "there" is where the box is; but whoever takes over there might find the box gone."""
+    assert rules(relay(10, at="there")) == ["hand_over_unfit"]

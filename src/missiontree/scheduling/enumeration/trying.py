@@ -131,10 +131,13 @@ class Trying:
     def _out_of_turn(self) -> bool:
         """
         Whether an order of starts may not do: what sets the end of an open-ended action may be put down after what starts later, which
-        matters if it holds a shared resource, or if anything is handed over.
+        matters if it holds a shared resource, or if anything is handed over. And what takes no time may hold a shared resource at the very
+        moment at which one hands over and another takes over what they hold: of that no course can tell the order.
         """
         sharing = self._problem.sharing
-        if self._problem.hand_overs and self._graph.until:
+        if self._problem.hand_overs and (
+            self._graph.until or any(not self._bounds.duration[one] for one in sharing.demand)
+        ):
             return True
         return any(one in sharing.demand for ends in self._graph.until.values() for one in ends)
 
