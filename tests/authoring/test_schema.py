@@ -96,7 +96,13 @@ def test_without_a_scene_the_nouns_of_the_mission_are_offered(box: ToolBox) -> N
 def test_kinds_of_entities_and_of_links_are_kept_apart(scenic_box: ToolBox) -> None:
     made = schemas(scenic_box)
     assert made["introduceEntity"]["properties"]["kind"]["enum"] == ["person", "animal", "object", "place", "dog"]
-    assert made["setLink"]["properties"]["kind"]["enum"] == ["Precedence", "SameRobot", "DifferentRobot", "Until"]
+    assert made["setLink"]["properties"]["kind"]["enum"] == [
+        "Precedence",
+        "SameRobot",
+        "DifferentRobot",
+        "Until",
+        "HandOver",
+    ]
 
 
 def test_what_the_schema_lets_through_is_not_refused_for_its_form(scenic_box: ToolBox) -> None:
