@@ -15,12 +15,14 @@ from missiontree.checking.fault import Fault
 from missiontree.errors import InputError, InternalError
 from missiontree.formats.importers.coalitions import coalitions_of, looks_like_coalitions
 from missiontree.formats.importers.fjsp import looks_like_shop, shop_of
+from missiontree.formats.importers.instance_plan import plan_of_coalitions, plan_of_tree
 from missiontree.formats.importers.tree_json import columns_of, looks_like_tree
 from missiontree.formats.reader import parse
 from missiontree.formats.source import load_text
 from missiontree.mission.coalitions import CoalitionMission, CoalitionSchedule
 from missiontree.mission.columns import TreeColumns
 from missiontree.mission.control import Control
+from missiontree.mission.plan import Plan
 from missiontree.mission.tree_schedule import TreeSchedule
 from missiontree.scheduling.coalitions.coalitions import schedule_coalitions
 from missiontree.scheduling.joint.joint import schedule_tree
@@ -48,6 +50,31 @@ def read_instance(file: Path) -> Instance:
     if looks_like_tree(parsed.data):
         return columns_of(parsed)
     raise InputError("this is no instance of a form that is known here", file=str(file), accepted=ACCEPTED)
+
+
+def plan_of_instance(instance: Instance, schedule: TreeSchedule | CoalitionSchedule, title: str) -> Plan:
+    """
+    A schedule that works as a plan of one alternative, for whatever shows plans: chart, timeline, critical chain.
+
+    Parameters
+    ----------
+    instance, schedule
+        As :func:`read_instance` and :func:`schedule_instance` return them.
+    title
+        What the mission is called.
+
+    Raises
+    ------
+    ValueError
+        If nothing is scheduled.
+    """
+    if schedule.status not in {"optimal", "feasible"}:
+        raise ValueError(f"the schedule is {schedule.status}, so there is nothing to show.")
+    if isinstance(instance, CoalitionMission):
+        assert isinstance(schedule, CoalitionSchedule)
+        return plan_of_coalitions(instance, schedule, title)
+    assert isinstance(schedule, TreeSchedule)
+    return plan_of_tree(instance, schedule, title)
 
 
 def schedule_instance(

@@ -81,6 +81,27 @@ def test_what_cannot_be_done_and_what_is_no_instance_have_their_codes(shell: She
         assert (refused.code, option in refused.err) == (2, True)
 
 
+def test_a_chart_is_drawn_and_the_chain_is_told(shell: Shell, tmp_path: Path) -> None:
+    """Robot 1 is on the way or at work all the time: 20 s and 6.5 s."""
+    file = written(tmp_path, "mission.json", json.dumps(GOOD))
+    ran = shell("schedule", file, "--gantt", "chart.svg")
+    assert "Why it takes 26.5 s: 6.5 s of work and 20 s on the way, one after the other" in ran.out
+    assert "written to chart.svg" in ran.err
+    assert "robot-1" in (tmp_path / "chart.svg").read_text(encoding="utf-8")
+    chain = json.loads(shell("schedule", file, "--json").out)["critical_chain"]
+    assert (chain["work_s"], chain["travel_s"], chain["waiting_s"]) == (6.5, 20.0, 0.0)
+    assert {step["robot"] for step in chain["steps"]} == {"robot-1"}
+
+
+def test_a_chart_that_cannot_be_drawn_is_refused(shell: Shell, tmp_path: Path) -> None:
+    refused = shell("schedule", written(tmp_path, "shop.txt", SHOP), "--gantt", "chart.doc")
+    assert (refused.code, "no form of a picture" in refused.err) == (2, True)
+    stuck = {"kind": [2], "parent": [-1], "robot": [0], "utility": [0], "robots": 1}
+    nothing = shell("schedule", written(tmp_path, "stuck.json", json.dumps(stuck)), "--gantt", "chart.svg")
+    assert (nothing.code, "nothing is scheduled" in nothing.err) == (2, True)
+    assert not (tmp_path / "chart.svg").exists()
+
+
 def test_more_actions_than_fit_are_counted(shell: Shell, tmp_path: Path) -> None:
     lines = "\n".join(["25 1"] + ["2 1 0 1 1 0 1"] * 25)
     ran = shell("schedule", written(tmp_path, "long.txt", lines))

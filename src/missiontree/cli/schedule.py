@@ -3,18 +3,27 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from missiontree.cli import options
 from missiontree.cli.exits import Exit
 from missiontree.cli.interrupt import controlled
+from missiontree.cli.pictures import Asked, refuse_impossible, write_pictures
 from missiontree.cli.rank import seldom_collected
 from missiontree.cli.screen import remark, show
 from missiontree.errors import InputError
 
+if TYPE_CHECKING:
+    from missiontree.instances import Instance
+    from missiontree.mission.coalitions import CoalitionSchedule
+    from missiontree.mission.plan import Plan
+    from missiontree.mission.tree_schedule import TreeSchedule
+
 LIMIT_S = 60.0
+MOST_EXPLAINED = 5_000
+"""Scheduled actions above which it is not said in passing why a schedule takes so long."""
 
 
 def command(
@@ -34,6 +43,9 @@ def command(
             "--bound-share", metavar="SHARE", help="Of CP-SAT's time, from 0 to 1: for raising the bound. Default 0."
         ),
     ] = 0.0,
+    gantt: Annotated[
+        Path | None, typer.Option("--gantt", metavar="FILE", help="Draw the schedule into this .svg or .png file.")
+    ] = None,
     seed: options.Seed = None,
     as_json: options.AsJson = False,
     colour: options.Colour = None,
@@ -44,6 +56,9 @@ def command(
     from missiontree.cli.schedule_view import Told, json_of, view_of
     from missiontree.instances import read_instance, schedule_instance
 
+    asked = Asked(gantt=gantt)
+    refuse_impossible(asked)
+
     if not 0 <= bound_share <= 1:
         raise InputError(f"--bound-share {bound_share:g}", accepted="a share from 0 to 1")
     if solver and not _solver_there() and not as_json:
@@ -53,12 +68,29 @@ def command(
         started = perf_counter()
         with controlled(time_limit, seed or 0) as control:
             schedule = schedule_instance(instance, control, solver=solver and _solver_there(), bound_share=bound_share)
-            told = Told(instance, schedule, file.name, seed or 0, time_limit, perf_counter() - started)
+            elapsed = perf_counter() - started
+            plan = _as_plan(instance, schedule, file.name, gantt is not None)
+            told = Told(instance, schedule, file.name, seed or 0, time_limit, elapsed, plan)
             if as_json:
                 typer.echo(json_of(told), nl=False)
             else:
                 show(view_of(told), colour)
+            for drawn in write_pictures(plan, asked) if plan is not None else ():
+                remark(f"written to {drawn}", colour)
     return Exit.CANNOT_BE_DONE if schedule.status == "infeasible" else Exit.DELIVERED
+
+
+def _as_plan(instance: Instance, schedule: TreeSchedule | CoalitionSchedule, title: str, drawn: bool) -> Plan | None:
+    """The schedule as a plan, if it is to be drawn, or small enough to be looked at in passing."""
+    from missiontree.instances import plan_of_instance
+    from missiontree.mission.tree_schedule import TreeSchedule
+
+    if schedule.status not in {"optimal", "feasible"}:
+        if drawn:
+            raise InputError("--gantt: nothing is scheduled, so there is nothing to draw")
+        return None
+    many = schedule.start_s if isinstance(schedule, TreeSchedule) else schedule.visits
+    return plan_of_instance(instance, schedule, title) if drawn or len(many) <= MOST_EXPLAINED else None
 
 
 def _solver_there() -> bool:

@@ -14,12 +14,16 @@ from rich.text import Text
 from missiontree.instances import Instance
 from missiontree.mission.coalitions import CoalitionMission, CoalitionSchedule
 from missiontree.mission.columns import LEAF, TreeColumns
+from missiontree.mission.plan import Plan
 from missiontree.mission.tree_schedule import TreeSchedule
+from missiontree.reporting.critical.chain import chain_of
+from missiontree.reporting.critical.view import chain_view, title_of
 from missiontree.reporting.known import known_in_words
 from missiontree.reporting.text import words
 
 MOST_ACTIONS = 40
 MOST_ROBOTS = 12
+MOST_PARTS = 8
 
 
 class Told(NamedTuple):
@@ -36,6 +40,8 @@ class Told(NamedTuple):
         What was asked for.
     elapsed_s
         Seconds that scheduling took.
+    plan
+        The schedule as a plan; None (default) if nothing is scheduled, or more than is looked at in passing.
     """
 
     instance: Instance
@@ -44,6 +50,7 @@ class Told(NamedTuple):
     seed: int
     time_limit_s: float
     elapsed_s: float
+    plan: Plan | None = None
 
 
 class Deed(NamedTuple):
@@ -77,6 +84,8 @@ def _sections(told: Told) -> Iterator[RenderableType]:
         yield Padding(_actions(deeds), (0, 0, 0, 2), expand=False)
     else:
         yield Text(f"{len(deeds):,} actions; --json lists them all", style="dim")
+    if (why := _why(told)) is not None:
+        yield from why
     yield Text(f"seed {told.seed}, time limit {told.time_limit_s:g} s: {told.elapsed_s:.2f} s", style="dim")
 
 
@@ -151,6 +160,34 @@ def _table(*columns: str, left: tuple[str, ...]) -> Table:
     return table
 
 
+def _why(told: Told) -> Iterator[RenderableType] | None:
+    """Why it takes so long; None of a schedule that is too large to be looked at in passing."""
+    if told.plan is None:
+        return None
+    schedule = told.plan.schedules[0]
+    chain = chain_of(told.plan, schedule)
+    title = Text(title_of(chain, "it"), style="bold")
+    return iter((title, Padding(chain_view(told.plan, schedule, MOST_PARTS), (0, 0, 0, 2), expand=False)))
+
+
+def _chain(told: Told) -> dict[str, object] | None:
+    if told.plan is None or told.plan.grounding is None:
+        return None
+    chain, tree = chain_of(told.plan, told.plan.schedules[0]), told.plan.grounding.tree
+    steps = [
+        {
+            "kind": step.kind,
+            "what": tree.action(step.leaf).text,
+            "robot": step.robot,
+            "start_s": step.start_s,
+            "end_s": step.end_s,
+            "bond": step.bond,
+        }
+        for step in chain.steps
+    ]
+    return {"work_s": chain.work_s, "travel_s": chain.travel_s, "waiting_s": chain.waiting_s, "steps": steps}
+
+
 def json_of(told: Told) -> str:
     """The schedule as JSON, an action per line."""
     schedule = told.schedule
@@ -167,6 +204,8 @@ def json_of(told: Told) -> str:
         "time_limit_s": told.time_limit_s,
         "time_s": round(told.elapsed_s, 6),
     }
+    if (chain := _chain(told)) is not None:
+        head["critical_chain"] = chain
     if isinstance(schedule, TreeSchedule):
         head["chosen"] = {str(xor): child for xor, child in sorted(schedule.chosen.items())}
     lines = ",\n".join("    " + json.dumps(deed._asdict()) for deed in deeds_of(told))

@@ -21,8 +21,17 @@ BRIEF = 8
 """Parts that are told of a chain beside other things; of a longer one, those at both ends."""
 
 
-def title_of(chain: CriticalChain) -> str:
-    """What the time goes into: ``Why alternative 1 takes 325 s: 257.8 s of work and 67.2 s on the way, one after the other``."""
+def title_of(chain: CriticalChain, what: str = "") -> str:
+    """
+    What the time goes into: ``Why alternative 1 takes 325 s: 257.8 s of work and 67.2 s on the way, one after the other``.
+
+    Parameters
+    ----------
+    chain
+        The chain.
+    what
+        What takes the time. Default: the alternative, by its rank.
+    """
     spent = [
         f"{in_words(time_s)} {what}"
         for time_s, what in ((chain.work_s, "of work"), (chain.travel_s, "on the way"), (chain.waiting_s, "of waiting"))
@@ -30,7 +39,7 @@ def title_of(chain: CriticalChain) -> str:
     ]
     listed = " and ".join([", ".join(spent[:-1]), spent[-1]]) if len(spent) > 1 else "".join(spent)
     follow = ", one after the other" if len(chain.steps) > 1 else ""
-    return f"Why alternative {chain.rank} takes {in_words(chain.makespan_s)}: {listed}{follow}"
+    return f"Why {what or f'alternative {chain.rank}'} takes {in_words(chain.makespan_s)}: {listed}{follow}"
 
 
 def chain_view(plan: Plan, schedule: Schedule, most: int | None = None) -> Group:

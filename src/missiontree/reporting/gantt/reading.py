@@ -46,7 +46,11 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
             legs,
             returns.get(robot),
             sorted(own[robot], key=lambda one: (one.start_s, one.end_s, one.leaf)),
-        ).row(robot, one_line(kinds[robot].label) if robot in kinds else "", looks.get(robot, Livery(0)))
+        ).row(
+            robot,
+            one_line(kinds[robot].label) if robot in kinds and kinds[robot].label != robot else "",
+            looks.get(robot, Livery(0)),
+        )
         for robot in names
     ]
     idle = [robot for robot in looks if robot not in own]

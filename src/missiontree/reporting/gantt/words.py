@@ -28,11 +28,12 @@ def mission_of(plan: Plan) -> str:
 
 def summary(plan: Plan, schedule: Schedule, content: Content) -> str:
     """Alternative, length, and what is known of it, in a line."""
-    parts = [_called(plan, schedule)]
-    alternatives = plan.ranking.alternatives if plan.ranking is not None else ()
+    chosen = bool(plan.brief.routines.routines)  # an instance has no routines, and nothing is ranked there
+    parts = [_called(plan, schedule)] if chosen else []
+    alternatives = plan.ranking.alternatives if plan.ranking is not None and chosen else ()
     parts += [f"utility {one.utility:g}" for one in alternatives if one.rank == schedule.rank]
     makespan_s, deadline_s = content.makespan_s, content.deadline_s
-    parts.append(f"done after {in_words(makespan_s)}")
+    parts.append(f"{'done' if chosen else 'Done'} after {in_words(makespan_s)}")
     if deadline_s is not None:
         parts.append(f"due by {in_words(deadline_s)}")
     method, bound = schedule.certificate.method.replace("_", " "), schedule.certificate.bound
