@@ -32,7 +32,7 @@ from missiontree.mission.plan import Plan
 from missiontree.planner import plan_authored
 
 MOST_DRAWN = 400
-MOST_OF_ONE_WAY = 30
+MOST_OF_ONE_WAY = 10
 MOST_REPAIRS = 40
 NO_CAUSE, NO_REPAIR, UNSOUND, NOT_SMALLEST, DENIED = (
     "cause not found", "known repair not offered", "repair without a sound plan", "smaller would do", "possible, called impossible",

@@ -18,6 +18,7 @@ from missiontree.explaining.changes.parts import routines_below
 from missiontree.explaining.changes.robots import MOST_ADDED
 from missiontree.explaining.grid import at_step, last_step, sized, step_of
 from missiontree.explaining.guesses import guesses
+from missiontree.explaining.pointless import Pointless
 from missiontree.explaining.probing import NO, Answer, Prober
 from missiontree.explaining.sizing import smallest
 from missiontree.mission.change import Change, ChangeKind
@@ -65,7 +66,8 @@ class Finder:
         self.case, self._prober, self._costs, self._known = case, prober, costs, known
         self._needs: Needs = needs_of(case)
         self._answers: dict[frozenset[Change], Answer] = {}
-        self._order = order_of(self.ask(()))
+        as_it_is = self.ask(())
+        self._order, self._pointless = order_of(as_it_is), Pointless(case, as_it_is.grounding, self._needs)
         order = enumerate(candidates(case))
         self.changes = [change for _, change in sorted(order, key=lambda pair: (self.cost([pair[1]]), pair[0]))]
 
@@ -108,7 +110,8 @@ class Finder:
             least = self.cost([change])
             if len(found) >= most and least >= sorted(one.cost for one in found)[most - 1]:
                 break
-            answer = self.ask([change]) if change.kind not in hopeless else NO
+            spared = change.kind in hopeless or self._pointless(change)
+            answer = NO if spared else self.ask([change])
             if answer.possible is None or (sized(change) and answer.possible is False and not self._only_more(answer)):
                 undecided.append(least)
             elif change.kind == "drop_part" and any(self._holds(change, one.changes[0]) for one in found):
@@ -130,7 +133,7 @@ class Finder:
         kinds = sorted(self.changes, key=lambda change: change.kind)
         hopeless: set[ChangeKind] = set()
         for kind, group in groupby(kinds, key=lambda change: change.kind):
-            together = list(group)
+            together = [change for change in group if not self._pointless(change)]
             if kind == "drop_part" or len(together) < 2:
                 continue
             answer = self.ask(together)

@@ -14,8 +14,8 @@ from missiontree.mission.explanation import Cheapest, Repair, Shortfall
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 
-MOST_ASKED = 2_000
-"""Questions to the planner, for one explanation."""
+MOST_WORK, MOST_ASKED, LEAST_ASKED = 60_000, 2_000, 60
+"""Questions to the planner for one explanation: so many times the nodes of the grounded tree, within bounds."""
 MOST_SETS = 3
 """Sets of changes that are looked for where no single change is enough."""
 SEARCH_SHARE = 0.7
@@ -40,7 +40,11 @@ class Repairs:
 
     def __init__(self, request: Request, case: Case, known: Sequence[Shortfall], control: Control) -> None:
         self._request, self._case, self._control = request, case, control
-        self._prober = Prober(request, control.part(SEARCH_SHARE), MOST_ASKED)
+        nodes = len(case.tree.nodes) * (
+            1 + 4 * len(case.brief.fleet.types)
+        )  # a routine has some four nodes for each type
+        most = max(LEAST_ASKED, min(MOST_ASKED, MOST_WORK // nodes))
+        self._prober = Prober(request, control.part(SEARCH_SHARE), most)
         self._finder = Finder(case, self._prober, request.costs, known)
         self.looked_at = len(self._finder.changes)
         self.cheapest: Cheapest = "none"
@@ -48,9 +52,12 @@ class Repairs:
     def find(self, most: int) -> tuple[Repair, ...]:
         """The cheapest, at most so many; ``cheapest`` then says what is known of the first."""
         found, self.cheapest = self._finder.singles(most)
-        if not found:
-            found = self._finder.sets(min(most, MOST_SETS))
-            self.cheapest = "found" if found else "none"
+        if all(
+            one.changes[0].kind == "drop_part" for one in found
+        ):  # to give something up is no answer to what it would take
+            found = sorted([*found, *self._finder.sets(min(most, MOST_SETS))], key=lambda one: one.cost)[:most]
+            if found and (len(found[0].changes) > 1 or self.cheapest == "none"):
+                self.cheapest = "found"
         repairs: list[Repair] = []
         for one in found:
             plan = planned(self._request, self._case, one, self._control, 1)
@@ -85,8 +92,7 @@ class Repairs:
 TIME_UP = Reason(
     rule="repairs_cut_short",
     severity="notice",
-    message="Time was up before every change was looked at; there may be more repairs, and less costly ones.",
-    hint="Give more time (--time-limit).",
+    message="Not every change was looked at, since time was up or the mission is large; there may be more repairs, and less costly ones.",
 )
 
 

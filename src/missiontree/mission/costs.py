@@ -23,7 +23,6 @@ DEFAULTS: Mapping[ChangeKind, tuple[float, float]] = FrozenMap(
         "clear_cells": (2, 0),
         "allow_zone": (2, 0),
         "drop_link": (2, 0),
-        "ignore_kinds": (2, 0),
         "extend_stay": (2, 2),
         "come_earlier": (2, 2),
         "raise_in_use": (2, 2),
@@ -36,6 +35,7 @@ DEFAULTS: Mapping[ChangeKind, tuple[float, float]] = FrozenMap(
         "raise_quality": (6, 2),
         "add_capability": (8, 0),
         "add_robot": (10, 0),
+        "ignore_kinds": (12, 0),
         "drop_part": (12, 0),
     }
 )

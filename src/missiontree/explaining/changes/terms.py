@@ -99,7 +99,7 @@ def ignore_kinds(case: Case, change: Change) -> Case:
 def ignore_kinds_words(case: Case, change: Change) -> str:
     """As an order."""
     return (
-        "do not enforce kinds of arguments (check_kinds: false), if what is refused for its kind can be done after all"
+        "do not enforce kinds of arguments (check_kinds: false)"
     )
 
 
