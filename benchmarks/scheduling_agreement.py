@@ -29,13 +29,13 @@ from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.schedule import Schedule
 from missiontree.scheduling import SCHEDULERS
 from missiontree.scheduling.cpsat.formulation import Formulation
-from missiontree.scheduling.cpsat.horizon import horizon_of
 from missiontree.scheduling.cpsat.search import Effort, search
 from missiontree.scheduling.cpsat.second import SecondForm
 from missiontree.scheduling.cpsat.unsupported import UnsupportedError
 from missiontree.scheduling.cpsat.verify import broken
 from missiontree.scheduling.enumeration.trying import Trying
 from missiontree.scheduling.greedy import read_problem
+from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.replay import replay
 

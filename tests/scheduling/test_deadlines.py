@@ -89,16 +89,17 @@ def test_too_much_work_for_the_robots_in_a_span_is_a_proof() -> None:
     assert schedule(made, robots("r", 3)).status == "optimal"
 
 
-def test_a_late_try_is_no_proof() -> None:
+def test_a_late_try_is_no_proof_but_trying_everything_is() -> None:
     """
     Two roles of 3 s by one robot that starts in the middle, 5 m from each: 5 + 3 + 10 + 3 = 21 s whichever goes first.
 
-    The longest path is 8 s, and the load 5 + 3 + 5 + 3 = 16 s, with the least way into each place: so of 20 s nothing is proven.
+    The longest path is 8 s, and the load 5 + 3 + 5 + 3 = 16 s, with the least way into each place: so of 20 s no bound proves anything.
     """
     made = mission([Part("a", "r", [work(3, at="p")]), Part("b", "r", [work(3, at="q")])]).timed(root=(0, 20))
     result = schedule(made, robots("r", 1, 1.0, position=at(0)), world=scene(p=5, q=-5))
-    assert result.status == "unknown"
-    assert result.reasons[0].message == "The mission must end by 20 s; the best try ended with 'b.0' at 21 s."
+    assert (result.status, result.certificate.method) == ("infeasible", "enumeration")
+    assert [reason.rule for reason in result.reasons] == ["no_schedule", "deadline_missed"]
+    assert result.reasons[1].message == "The mission must end by 20 s; the best try ended with 'b.0' at 21 s."
     assert (
         schedule(made.timed(root=(0, 21)), robots("r", 1, 1.0, position=at(0)), world=scene(p=5, q=-5)).makespan_s == 21
     )

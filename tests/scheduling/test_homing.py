@@ -18,9 +18,9 @@ from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import Terms
 from missiontree.mission.ways import Road, RoadGraph, RoadNode
 from missiontree.scheduling import SCHEDULERS
-from missiontree.scheduling.cpsat.horizon import horizon_of
 from missiontree.scheduling.enumeration.trying import Trying
 from missiontree.scheduling.greedy import read_problem
+from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.replay import replay
 from tests.scheduling.instances import Instance, Part, at, mission, move, robots, scene, work

@@ -4,7 +4,8 @@ Greedy list scheduling: instant, honest about what it proves.
 First what cannot be is proven: a cycle, a place out of reach, a budget too small, a deadline too soon, robots that must be one and
 two. Then a few
 deterministic runs of serial schedule generation (:mod:`missiontree.scheduling.serial`) with different rules, and the best of them is
-kept. If its makespan equals a lower bound it is optimal.
+kept. If its makespan equals a lower bound it is optimal. If not, and the mission is so small that everything can be tried out in few steps
+(:mod:`missiontree.scheduling.enumeration`), that is done, and proves what is best.
 """
 
 from __future__ import annotations
@@ -24,9 +25,11 @@ from missiontree.scheduling.availability import away, gone_before, least_holds, 
 from missiontree.scheduling.bounds import lower_bounds
 from missiontree.scheduling.bundles import bundles_of, crews_of
 from missiontree.scheduling.deadlines import Late, deadlines_missed, deadlines_out_of_reach
+from missiontree.scheduling.enumeration.proving import tried_out
 from missiontree.scheduling.hand_overs import HandOvers, hand_overs_of
 from missiontree.scheduling.holding import order_held_roles
 from missiontree.scheduling.homing import home_too_late, never_home
+from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.impossible import budgets_exceeded, cycle_reason, group_needs, unreachable_places
 from missiontree.scheduling.meeting import apart
 from missiontree.scheduling.mission_terms import required_in_vain, shared_by_all, shared_exceeded, terms_broken
@@ -39,10 +42,11 @@ from missiontree.scheduling.serial import Run
 from missiontree.scheduling.sharing import order_open_ended, sharing_of, too_crowded
 from missiontree.scheduling.staffing import staffing_conflicts, staffing_of
 from missiontree.scheduling.trips import Trips
-from missiontree.scheduling.writing import found_schedule, impossible_schedule, unknown_schedule
+from missiontree.scheduling.writing import found_schedule, impossible_schedule, no_schedule, unknown_schedule
 
 LEAVES_PER_CALL = 20_000  # work that retries may cost, in scheduled leaves
 MIN_RUNS, MAX_RUNS = 3, 40
+FEW_STEPS = 1_000  # of trying everything out
 _TIME_IS_UP = Reason(rule="time_limit", message="Time was up before a schedule was complete.")
 ROBOTS_PER_CALL = 1_500_000  # the same, in robots looked at for a role
 
@@ -60,9 +64,14 @@ def greedy(
     if not isinstance(problem, Problem):
         return impossible_schedule(alternative, *problem)
     best, failures = best_of_runs(problem, alternative, control)
-    if best is None:
-        return unknown_schedule(problem, alternative, failures)
-    return found_schedule(problem, alternative, best)
+    proof = None
+    if best is None or best.makespan > problem.bounds.makespan:
+        best, proof = tried_out(problem, best, horizon_of(problem), FEW_STEPS, control.ended)
+    if best is not None:
+        return found_schedule(problem, alternative, best, proof)
+    if proof is not None:
+        return no_schedule(alternative, proof, failures)
+    return unknown_schedule(problem, alternative, failures)
 
 
 def read_problem(

@@ -24,6 +24,16 @@ def impossible_schedule(alternative: Alternative, method: str, reasons: Sequence
     )
 
 
+def no_schedule(alternative: Alternative, proof: Certificate, failures: Sequence[Reason]) -> Schedule:
+    """The schedule of an alternative of which a search has proven that there is none; beside that, why runs got stuck."""
+    reason = Reason(
+        rule="no_schedule",
+        message="No choice of robots and no order keep all rules of this alternative.",
+        hint="Loosen a link, a budget or a limit, or give the fleet another robot.",
+    )
+    return impossible_schedule(alternative, proof.method, (reason, *failures[:7]))
+
+
 def unknown_schedule(
     problem: Problem, alternative: Alternative, failures: list[Reason], certificate: Certificate | None = None
 ) -> Schedule:

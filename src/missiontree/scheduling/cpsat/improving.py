@@ -12,18 +12,18 @@ from missiontree.mission.schedule import Schedule
 from missiontree.mission.ticks import seconds
 from missiontree.scheduling.cpsat.formulation import Formulation
 from missiontree.scheduling.cpsat.hint import hint
-from missiontree.scheduling.cpsat.horizon import horizon_of
 from missiontree.scheduling.cpsat.model import Model
 from missiontree.scheduling.cpsat.search import Effort, Found, search
 from missiontree.scheduling.cpsat.second import SecondForm
 from missiontree.scheduling.cpsat.settings import Settings
 from missiontree.scheduling.cpsat.unsupported import TimeIsUpError, UnsupportedError
 from missiontree.scheduling.cpsat.verify import broken
-from missiontree.scheduling.enumeration.trying import Trying
+from missiontree.scheduling.enumeration.proving import proof_of, tried_out
+from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.neighbourhood.search import regrouped
 from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.replay import replay
-from missiontree.scheduling.writing import by_bound, found_schedule, impossible_schedule, unknown_schedule
+from missiontree.scheduling.writing import by_bound, found_schedule, no_schedule, unknown_schedule
 
 WRITING = 0.3  # what it takes to verify, replay and write an answer, in units of what it took to build the model
 MANY_ROLES = 25  # from which on solving the model as a whole seldom helps
@@ -191,17 +191,8 @@ class Improving:
 
     def _tried(self, most_steps: int) -> Certificate | None:
         """The certificate of having tried everything that could be better; None if that is too much."""
-        limit = self._horizon() - (self._best is not None)
-        tried = Trying(self._problem, limit, most_steps, self._over)()
-        if tried.course is not None:
-            draft = replay(self._problem, tried.course)
-            if draft is None:
-                return None
-            self._best = draft
-        if not tried.complete:
-            return None
-        makespan = None if self._best is None else self._best.makespan
-        return _proof("enumeration", "Everything that could be was tried", makespan)
+        self._best, proof = tried_out(self._problem, self._best, self._horizon(), most_steps, self._over)
+        return proof
 
     def _over(self) -> bool:
         return self._left_s() <= 0 or self._control.ended()
@@ -217,7 +208,7 @@ class Improving:
             return None
         if second.too_large or self._search(second.model, 0.5, plain=True).verdict != "infeasible":
             return None
-        return _proof(
+        return proof_of(
             "second_formulation", "A second formulation, of another kind, was found to have no answer", makespan
         )
 
@@ -247,12 +238,7 @@ class Improving:
 
     def _none(self, proof: Certificate | None) -> Schedule:
         if proof is not None:
-            reason = Reason(
-                rule="no_schedule",
-                message="No choice of robots and no order keep all rules of this alternative.",
-                hint="Loosen a link, a budget or a limit, or give the fleet another robot.",
-            )
-            return impossible_schedule(self._alternative, proof.method, (reason, *self._failures[:7]))
+            return no_schedule(self._alternative, proof, self._failures)
         certificate = None
         if self._impossible:
             certificate = Certificate(
@@ -262,9 +248,3 @@ class Improving:
                 detail="There is no schedule by the solver's word, which nothing confirms.",
             )
         return unknown_schedule(self._problem, self._alternative, self._failures, certificate)
-
-
-def _proof(method: str, how: str, makespan: int | None) -> Certificate:
-    what = "there is no schedule" if makespan is None else f"no schedule is shorter than {seconds(makespan):g} s"
-    bound = None if makespan is None else seconds(makespan)
-    return Certificate(claim="proven", method=method, bound=bound, detail=f"{how}: {what}.")

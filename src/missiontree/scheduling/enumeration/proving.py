@@ -1,0 +1,63 @@
+"""What trying everything out makes of a draft, and what it proves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from missiontree.mission.certificate import Certificate
+from missiontree.mission.ticks import seconds
+from missiontree.scheduling.enumeration.trying import Trying
+from missiontree.scheduling.problem import Draft, Problem
+from missiontree.scheduling.replay import replay
+
+
+def tried_out(
+    problem: Problem, best: Draft | None, horizon: int, most_steps: int, ended: Callable[[], bool]
+) -> tuple[Draft | None, Certificate | None]:
+    """
+    The best draft after everything that could be better was tried, and the proof of it.
+
+    Parameters
+    ----------
+    problem
+        The alternative.
+    best
+        The draft so far; None if there is none.
+    horizon
+        Ticks by which every schedule of interest is over; of a draft, only what is shorter is of interest.
+    most_steps
+        Steps after which to give up. The same steps are taken every time.
+    ended
+        Asked now and then whether to stop.
+
+    Returns
+    -------
+    The draft, and None in place of the proof if that was given up. Without a draft, the proof is that there is no schedule.
+    """
+    limit = horizon if best is None else best.makespan - 1
+    tried = Trying(problem, limit, most_steps, ended)()
+    if tried.course is not None:
+        draft = replay(problem, tried.course)
+        if draft is None:
+            return best, None
+        best = draft
+    if not tried.complete:
+        return best, None
+    makespan = None if best is None else best.makespan
+    return best, proof_of("enumeration", "Everything that could be was tried", makespan)
+
+
+def proof_of(method: str, how: str, makespan: int | None) -> Certificate:
+    """
+    The certificate that no schedule is shorter than so many ticks.
+
+    Parameters
+    ----------
+    method, how
+        How that is known: the name of the method, and in words.
+    makespan
+        In ticks; None if there is no schedule at all.
+    """
+    what = "there is no schedule" if makespan is None else f"no schedule is shorter than {seconds(makespan):g} s"
+    bound = None if makespan is None else seconds(makespan)
+    return Certificate(claim="proven", method=method, bound=bound, detail=f"{how}: {what}.")
