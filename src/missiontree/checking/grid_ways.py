@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from missiontree.checking.closed import closed_areas, inside
 from missiontree.checking.dijkstra import shortest
@@ -15,6 +15,12 @@ from missiontree.mission.ways import OccupancyGrid
 
 Cell = tuple[int, int]
 """Column from the left and row from below, both from 0."""
+
+
+MOST_KEPT = 1_000_000
+"""Lengths remembered, by start and goal; grids can be large."""
+MOST_JOINED = 50_000
+"""Cells of a grid whose neighbours are remembered."""
 
 
 class GridWays:
@@ -44,6 +50,7 @@ class GridWays:
         )
         self._free = {cell for cell in cells if not any(inside(self._centre(cell), area) for area in areas)}
         self._lengths: dict[Cell, dict[Cell, float]] = {}
+        self._joined: dict[Cell, list[tuple[Cell, float]]] = {}
 
     def least(self, origin: Position, destination: Position, speed_mps: float | None) -> float:
         """See :class:`missiontree.checking.ways.Map`."""
@@ -60,11 +67,21 @@ class GridWays:
         if start == goal:
             return math.dist(here, there)
         if start not in self._lengths:
-            self._lengths = {start: shortest([(start, 0.0)], self._neighbours)}  # one at a time: grids are large
+            if (len(self._lengths) + 1) * len(self._free) > MOST_KEPT:
+                self._lengths.clear()
+            self._lengths[start] = shortest([(start, 0.0)], self._neighbours)
         steps = self._lengths[start].get(goal, math.inf)
         return math.dist(here, self._centre(start)) + steps + math.dist(there, self._centre(goal))
 
-    def _neighbours(self, cell: Cell) -> Iterator[tuple[Cell, float]]:
+    def _neighbours(self, cell: Cell) -> Iterable[tuple[Cell, float]]:
+        if len(self._free) > MOST_JOINED:
+            return self._beside(cell)
+        found = self._joined.get(cell)
+        if found is None:
+            found = self._joined[cell] = list(self._beside(cell))
+        return found
+
+    def _beside(self, cell: Cell) -> Iterator[tuple[Cell, float]]:
         column, row = cell
         for across in (-1, 0, 1):
             for up in (-1, 0, 1):
