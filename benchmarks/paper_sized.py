@@ -7,9 +7,10 @@ How long missions of the paper's size take from the tree to a checked plan, scen
     python -m benchmarks.paper_sized --schedulers auto --times 9
 
 Every sample that comes with a scene. Counted is what follows when the mission tree is there: grounding over fleet and scene, the best
-alternatives and their schedules, and the check of the plan; reading the files and building the tree are not. *cold*: for the first time in a
-process of its own, what is imported on the way (the solver included, where it is asked) counted in and shown apart; *warm*: the median of
-further times in the same process. Both as seconds of the clock and of the processor, which may be more where the solver's threads work.
+alternatives and their schedules, and the check of the plan; reading the files and building the tree are not. *cold*: for the first time
+in a process of its own, what is imported on the way (the solver included, where it is asked) counted in and shown apart; *warm*: the
+median of further times in the same process. Both as seconds of the clock and of the processor, which may be more where the solver's
+threads work.
 """
 
 from __future__ import annotations
@@ -100,7 +101,8 @@ def main() -> None:
     parser.add_argument("--one", nargs=2, metavar=("SAMPLE", "SCHEDULER"), help=argparse.SUPPRESS)
     given = parser.parse_args()
     if given.one:
-        print(json.dumps(measured(*given.one, given.times)))
+        name, scheduler = given.one
+        print(json.dumps(measured(name, scheduler, given.times)))
         return
     print(machine_line("pydantic"))
     print(f"\nFrom the tree to the checked plan, 4 alternatives; bar {BAR_S:g} s.\n")

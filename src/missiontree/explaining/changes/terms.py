@@ -98,9 +98,7 @@ def ignore_kinds(case: Case, change: Change) -> Case:
 
 def ignore_kinds_words(case: Case, change: Change) -> str:
     """As an order."""
-    return (
-        "do not enforce kinds of arguments (check_kinds: false)"
-    )
+    return "do not enforce kinds of arguments (check_kinds: false)"
 
 
 def drop_link(case: Case, change: Change) -> Case:
