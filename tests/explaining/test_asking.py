@@ -220,3 +220,24 @@ def test_the_price_of_a_robot_is_that_of_the_best_alternative_with_it(
         assert best == answer.utility
     elif answer.verdict != "undecided":
         assert answer.asked_utility == best
+
+
+def test_where_the_objective_is_time_the_fastest_plan_that_is_as_asked_for_is_set_beside_the_chosen_one() -> None:
+    """One robot for both searches ends 67 s later; that utility falls, too, does not make the verdict."""
+    tree = rescue_tree()
+    plan = planned(tree, brief_of(tree, objective="makespan", without=("tele_robot-2",)))
+    answer = why_not(plan, "transportation_robot for Search(cat)")
+    assert answer.plan is not None
+    assert answer.plan.chosen is not None
+    assert answer.plan.chosen.option.certificate.claim == "unproven"  # the fastest of those asked for, and not of all
+    assert check(answer.plan) == ()
+    assert why_not(plan, "1").words == ("Alternative 1 is what the objective chooses.",)
+
+
+def test_a_part_of_a_mission_is_chosen_by_its_objective_as_well() -> None:
+    tree = rescue_tree()
+    answer = without(planned(tree, brief_of(tree, objective="makespan")), ["transportation_robot"])
+    assert answer.plan is not None
+    assert answer.plan.outcome == "partial"
+    assert answer.plan.chosen is not None
+    assert check(answer.plan) == ()

@@ -31,7 +31,7 @@ CLAIMS = frozenset({"proven", "bounded", "unproven"})
 def chosen_missing(case: Case) -> Iterator[Fault]:
     """The objective of the mission chooses, and nothing is chosen; or it does not, and something is; or what is has no schedule."""
     plan, chosen = case.plan, case.plan.chosen
-    needed = plan.outcome == "delivered" and plan.brief.objective != "utility"
+    needed = plan.outcome in {"delivered", "partial"} and plan.brief.objective != "utility"
     if needed != (chosen is not None):
         found = "nothing is chosen" if chosen is None else "something is chosen"
         yield Fault(

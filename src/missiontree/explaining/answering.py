@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from missiontree.mission.alternative import Alternative
+from missiontree.mission.objective import Objective
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.why_not import Moved, Verdict
@@ -16,7 +17,9 @@ MOST_MOVED = 12
 
 
 def best_of(plan: Plan) -> tuple[Alternative, Schedule] | None:
-    """The best alternative that has a schedule, with it."""
+    """What the objective of the mission chooses, else the best alternative that has a schedule, with it."""
+    if plan.chosen is not None:
+        return plan.chosen.option.alternative, plan.chosen.option.schedule
     if plan.ranking is None:
         return None
     for alternative, schedule in zip(plan.ranking.alternatives, plan.schedules, strict=False):
@@ -25,8 +28,17 @@ def best_of(plan: Plan) -> tuple[Alternative, Schedule] | None:
     return None
 
 
-def verdict_of(utility: float, other: float, ends_s: float, other_ends_s: float) -> Verdict:
-    """How another plan stands to the plan."""
+def named(plan: Plan, alternative: Alternative) -> str:
+    """What an alternative is called that stands for the plan."""
+    return "what is chosen" if plan.chosen is not None else f"alternative {alternative.rank}"
+
+
+def verdict_of(
+    utility: float, other: float, ends_s: float, other_ends_s: float, objective: Objective = "utility"
+) -> Verdict:
+    """How another plan stands to the plan: by utility and then by makespan, or the other way round if the objective is makespan."""
+    if objective == "makespan" and abs(other_ends_s - ends_s) > TICK_S:
+        return "later" if other_ends_s > ends_s else "sooner"
     if other < utility - MILLIONTH:
         return "worse"
     if other > utility + MILLIONTH:

@@ -13,15 +13,18 @@ from dataclasses import dataclass, replace
 
 from missiontree.briefing import Request
 from missiontree.checking import check
+from missiontree.choosing.choose import choose
 from missiontree.errors import InternalError
 from missiontree.mission.alternative import Alternative, Ranking
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.control import Control
+from missiontree.mission.front import Chosen, Option
 from missiontree.mission.grounded import GroundedNode, GroundedTree
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import Schedule
 from missiontree.planner import staff_and_schedule
+from missiontree.scheduling import SCHEDULERS
 
 WORKING = ("optimal", "feasible")
 
@@ -39,17 +42,20 @@ class Found:
         Whether it is proven that there is none better, or none at all.
     reasons
         Why there is none.
+    chosen
+        The same as the objective of the mission chooses it; None if that is utility alone.
     """
 
     alternative: Alternative | None
     schedule: Schedule | None
     proven: bool
     reasons: tuple[Reason, ...] = ()
+    chosen: Chosen | None = None
 
 
 def pinned(plan: Plan, request: Request, forbidden: Collection[int], control: Control) -> Found:
     """
-    The best alternative of a plan's tree that selects none of the forbidden nodes.
+    The best alternative, by the objective of the mission, of a plan's tree that selects none of the forbidden nodes.
 
     Parameters
     ----------
@@ -66,6 +72,13 @@ def pinned(plan: Plan, request: Request, forbidden: Collection[int], control: Co
     alone = replace(request, brief=replace(request.brief, diverse=False), k=1)
     scene = plan.brief.world.extended(plan.tree.entities)
     ranking, schedules = staff_and_schedule(grounding, alone, scene, control)
+    works = any(schedule.status in WORKING for schedule in schedules)
+    if works and request.brief.objective != "utility":
+        with_ = SCHEDULERS[request.scheduler]
+        chosen = choose(grounding.tree, alone.brief, scene, with_, control, ranking, schedules).chosen
+        if chosen is not None:
+            one = chosen.option
+            return Found(one.alternative, one.schedule, one.certificate.claim == "proven", (), chosen)
     proven = ranking.status in {"exact", "infeasible"}
     for alternative, schedule in zip(ranking.alternatives, schedules, strict=True):
         if schedule.status in WORKING:
@@ -98,10 +111,18 @@ def plan_with(plan: Plan, found: Found, notice: Reason) -> Plan:
     """The plan with what was found in place of its alternatives; it claims nothing of their rank."""
     assert found.alternative is not None
     assert found.schedule is not None
-    unranked = Certificate(claim="unproven", method=found.alternative.certificate.method)
+    assert plan.ranking is not None
+    unranked = Certificate(claim="unproven", method=plan.ranking.certificate.method)
     alternative = replace(found.alternative, rank=1, certificate=unranked)
+    chosen = None
+    if found.chosen is not None:
+        unproven = Certificate(claim="unproven", method=found.chosen.option.certificate.method)
+        option = Option(alternative=alternative, schedule=replace(found.schedule, rank=1), certificate=unproven)
+        chosen = Chosen(option=option, worth=found.chosen.worth)
     made = replace(
         plan,
+        chosen=chosen,
+        front=None,
         ranking=Ranking(alternatives=(alternative,), status="partial", certificate=unranked),
         schedules=(replace(found.schedule, rank=1),),
         notices=(*plan.notices, notice),

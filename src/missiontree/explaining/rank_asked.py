@@ -7,7 +7,15 @@ from dataclasses import replace
 
 from missiontree.briefing import Request
 from missiontree.errors import InputError
-from missiontree.explaining.answering import MILLIONTH, WORKING, best_of, moved_in_words, side_by_side, verdict_of
+from missiontree.explaining.answering import (
+    MILLIONTH,
+    WORKING,
+    best_of,
+    moved_in_words,
+    named,
+    side_by_side,
+    verdict_of,
+)
 from missiontree.explaining.pinned import Found, pinned
 from missiontree.explaining.tasks import moved_between, tasks_of
 from missiontree.mission.alternative import Alternative
@@ -46,6 +54,8 @@ def why_not_rank(plan: Plan, request: Request, rank: int, control: Control) -> W
     question = f"Why not alternative {rank}?"
     if alternative.choices == best[0].choices:
         first = f"Alternative {rank} is the best that has a schedule; it is the one that the plan shows first."
+        if plan.chosen is not None:
+            first = f"Alternative {rank} is what the objective chooses."
         return WhyNot(
             question=question,
             verdict="same",
@@ -73,7 +83,7 @@ def why_not_rank(plan: Plan, request: Request, rank: int, control: Control) -> W
         best[0].utility, alternative.utility, best[1].makespan_s, schedule.makespan_s, plan.brief.aim.worth
     )
     words = (
-        f"Alternative {rank} beside alternative {best[0].rank}: {compared}.",
+        f"Alternative {rank} beside {named(plan, best[0])}: {compared}.",
         *_tie(best[0], alternative),
         *moved_in_words(moved),
         *_prices(plan, request, best[0], alternative, moved, control),
@@ -81,7 +91,9 @@ def why_not_rank(plan: Plan, request: Request, rank: int, control: Control) -> W
     )
     return WhyNot(
         question=question,
-        verdict=verdict_of(best[0].utility, alternative.utility, best[1].makespan_s, schedule.makespan_s),
+        verdict=verdict_of(
+            best[0].utility, alternative.utility, best[1].makespan_s, schedule.makespan_s, plan.brief.objective
+        ),
         claim="proven" if proven else "found",
         words=words,
         asked_utility=alternative.utility,

@@ -5,17 +5,27 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from missiontree.briefing import Request
-from missiontree.explaining.answering import best_of, moved_in_words, side_by_side, verdict_of
+from missiontree.explaining.answering import best_of, moved_in_words, named, side_by_side, verdict_of
 from missiontree.explaining.pinned import Found, pinned, plan_with
 from missiontree.explaining.tasks import moved_between, tasks_of
 from missiontree.mission.alternative import Alternative, selected_leaves
 from missiontree.mission.control import Control
 from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.objective import WEIGHTED, Objective
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.tree import MissionNode
 from missiontree.mission.why_not import WhyNot
+
+BEST: dict[Objective, str] = {
+    "utility": "best",
+    "makespan": "fastest",
+    "utility-makespan": "best",
+    "weighted-team": "weightiest",
+    "weighted-sum": "weightiest",
+}
+"""What a plan is that the objective chooses."""
 
 MOST_ROLES = 60
 """Roles at which a type is tried before the answer is no longer called proven."""
@@ -52,7 +62,7 @@ def why_not_robot(plan: Plan, request: Request, type_id: str, nodes: Sequence[Mi
     done = _done_already(tree, best[0], type_id, routines)
     if done:
         who = _by_whom(plan, best[1], done[0], type_id)
-        words = (f"{label} does {_named(plan, done[0])} in alternative {best[0].rank} already{who}.",)
+        words = (f"{label} does {_named(plan, done[0])} in {named(plan, best[0])} already{who}.",)
         return WhyNot(
             question=question,
             verdict="same",
@@ -72,14 +82,17 @@ def why_not_robot(plan: Plan, request: Request, type_id: str, nodes: Sequence[Mi
     there = [(node, one) for node, one in found if one.alternative is not None and one.schedule is not None]
     if not there:
         return _in_vain(question, label, what, [one for _, one in found], best, proven)
-    node, first = min(there, key=lambda one: _order(one[1]))
+    node, first = min(there, key=lambda one: _order(one[1], plan.brief.objective))
     return _beside(plan, question, f"{label} for {_named(plan, node)}", first, best, proven, type_id, node)
 
 
-def _order(found: Found) -> tuple[float, float]:
+def _order(found: Found, objective: Objective) -> tuple[float, float]:
     assert found.alternative is not None
     assert found.schedule is not None
-    return -found.alternative.utility, found.schedule.makespan_s
+    utility, makespan_s = found.alternative.utility, found.schedule.makespan_s
+    if objective in WEIGHTED and found.chosen is not None:
+        return -found.chosen.worth, makespan_s
+    return (makespan_s, -utility) if objective == "makespan" else (-utility, makespan_s)
 
 
 def _label(plan: Plan, type_id: str) -> str:
@@ -222,7 +235,7 @@ def _beside(
     compared = side_by_side(
         alternative.utility, other.utility, schedule.makespan_s, ends.makespan_s, plan.brief.aim.worth
     )
-    best_known = "the best plan with that" if proven else "the best plan found with that"
+    best_known = f"the {BEST[plan.brief.objective]} plan {'' if proven else 'found '}with that"
     words = [
         f"It can be done: {asked}. Of {best_known}: {compared}.",
         *_qualities(plan, alternative, other, node, type_id),
@@ -236,7 +249,9 @@ def _beside(
     )
     return WhyNot(
         question=question,
-        verdict=verdict_of(alternative.utility, other.utility, schedule.makespan_s, ends.makespan_s),
+        verdict=verdict_of(
+            alternative.utility, other.utility, schedule.makespan_s, ends.makespan_s, plan.brief.objective
+        ),
         claim="proven" if proven else "found",
         words=(*words, *moved_in_words(moved)),
         asked_utility=other.utility,

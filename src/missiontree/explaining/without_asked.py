@@ -69,11 +69,14 @@ def what_without(plan: Plan, request: Request, names: Sequence[str], control: Co
     compared = side_by_side(
         best[0].utility, other[0].utility, best[1].makespan_s, other[1].makespan_s, plan.brief.aim.worth
     )
-    proven = other[0].certificate.claim == "proven"
+    certificate = other[0].certificate if made.chosen is None else made.chosen.option.certificate
+    proven = certificate.claim == "proven"
     unchanged = () if moved else ("Nobody does anything else than before.",)
     return WhyNot(
         question=question,
-        verdict=verdict_of(best[0].utility, other[0].utility, best[1].makespan_s, other[1].makespan_s),
+        verdict=verdict_of(
+            best[0].utility, other[0].utility, best[1].makespan_s, other[1].makespan_s, plan.brief.objective
+        ),
         claim="proven" if proven else "found",
         words=(f"Without {shown} the mission can still be done: {compared}.", *unchanged, *moved_in_words(moved)),
         asked_utility=other[0].utility,

@@ -50,7 +50,8 @@ class WhyNot(Value):
         What was asked, in words.
     verdict
         ``same``: the plan is as asked for. ``refused``: a rule forbids it, the reasons say which. ``impossible``: proven that there is no
-        such plan. ``worse``: of less utility. ``later``, ``as_good``, ``sooner``: of the same utility, and ends so. ``better``: of more
+        such plan. ``worse``: of less utility. ``later``, ``as_good``, ``sooner``: of the same utility, and ends so; where the objective is
+        makespan, whatever the utility. ``better``: of more
         utility, since the plan's own first alternatives have no schedule. ``part_only``: only a part of the mission can then be done.
         ``undecided``: neither a plan nor a proof that there is none was found.
     claim
