@@ -34,7 +34,7 @@ def test_a_repair_is_planned_shown_and_kept(shell: Shell, tmp_path: Path) -> Non
         "explain", "--sample", "rescue", "--without", "transportation_robot", "--repair", "2", "--out", "plan.json"
     )
     assert done.code == 0
-    assert "Give Mobile Scooter the capability carry" in done.out
+    assert "with a change: Give Mobile Scooter the capability carry" in " ".join(done.out.split())
     assert shell("check", "plan.json").code == 0
 
 
