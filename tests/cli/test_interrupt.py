@@ -6,7 +6,7 @@ import signal
 
 import pytest
 
-from missiontree.cli.interrupt import SIGNALS, controlled
+from missiontree.cli.interrupt import SIGNALS, controlled, deaf
 
 
 @pytest.mark.parametrize("first", SIGNALS)
@@ -27,3 +27,14 @@ def test_without_a_signal_nothing_ends_it() -> None:
     with controlled(60.0, 0) as control:
         assert not control.ended()
     assert [signal.getsignal(one) for one in SIGNALS] == before
+
+
+def test_a_signal_after_all_is_said_changes_nothing() -> None:
+    before = {one: signal.getsignal(one) for one in SIGNALS}
+    try:
+        deaf()
+        for one in SIGNALS:
+            signal.raise_signal(one)
+    finally:
+        for one, handler in before.items():
+            signal.signal(one, handler)

@@ -20,6 +20,12 @@ def interrupts(signum: int, frame: object) -> None:
     raise KeyboardInterrupt
 
 
+def deaf() -> None:
+    """Hear no signal any more."""
+    for one in SIGNALS:
+        signal.signal(one, signal.SIG_IGN)
+
+
 @contextmanager
 def controlled(time_limit_s: float | None, seed: int) -> Iterator[Control]:
     """

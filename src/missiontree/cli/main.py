@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import signal
 import sys
 from collections.abc import Callable
@@ -28,7 +29,7 @@ from missiontree.cli import (
     show,
 )
 from missiontree.cli.exits import Exit, guarded
-from missiontree.cli.interrupt import interrupts
+from missiontree.cli.interrupt import deaf, interrupts
 from missiontree.errors import InputError
 
 JARGON = {
@@ -78,7 +79,9 @@ def options(
 def main() -> None:
     """Entry point of the command ``missiontree``."""
     signal.signal(signal.SIGTERM, interrupts)
-    sys.exit(guarded(_run, debug="--debug" in sys.argv))
+    code = guarded(_run, debug="--debug" in sys.argv)
+    atexit.register(deaf)  # all is said, so that a late signal must not make a failure of it
+    sys.exit(code)
 
 
 def _plainly(message: str) -> str:
