@@ -120,6 +120,22 @@ def test_the_author_that_stopped_at_the_first_impossible_routine_is_asked_for_th
     assert "1 of 2 routines can be done. Proven: no larger part can." in text
 
 
+def test_a_goal_that_no_routine_serves_is_a_part_that_cannot_be_done() -> None:
+    """The author stops at what nobody serves; what comes before and after it is planned, if somebody can do it."""
+    words = "Find the keys, recommend a restaurant, and carry the cat to the vet"
+    request = request_from(words, without=["transportation_robot", "social_robot"])
+    authored = author(request)
+    assert authored.status == "cannot_be_done"
+    plan = nearest_part(plan_authored(request, authored, Control()), request, authored, Control())
+    assert plan is not None
+    assert plan.partial is not None
+    labels = [plan.partial.whole.by_id[node].label for node in left_out(plan)]
+    assert labels == ["Transport(Cat, Vet)", "recommend a restaurant"]
+    assert (plan.partial.kept, plan.partial.total, plan.partial.claim) == (1, 3, "proven")
+    assert {"recommend", "carry"} <= {reason.needed for reason in plan.reasons}
+    assert check(plan) == ()
+
+
 def test_a_weight_for_what_is_no_part_is_refused_with_what_is_meant() -> None:
     tree = rescue_tree()
     with pytest.raises(InputError, match="no part of the mission") as refusal:

@@ -46,17 +46,34 @@ def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None) ->
     Authored
         ``complete``, ``cannot_be_done`` or ``incomplete``; ``reading`` says, clause by clause, what was understood by which method.
     """
+    return _authored(brief, methods, served_only=False)[0]
+
+
+def author_served(brief: MissionBrief, methods: MethodLibrary | None = None) -> tuple[Authored, tuple[str, ...]]:
+    """
+    Build the tree of what is served, where a mission asks for something beside it that no method and no routine serves.
+
+    Returns
+    -------
+    Authored, tuple of str
+        As :func:`author_offline` gives it for the rest, and the clauses that were left aside.
+    """
+    return _authored(brief, methods, served_only=True)
+
+
+def _authored(
+    brief: MissionBrief, methods: MethodLibrary | None, served_only: bool
+) -> tuple[Authored, tuple[str, ...]]:
     library = methods or built_in_methods()
     words = words_of_text(brief.text[: MAX_WORDS * 60])
     desk = Desk(brief)
     if not words:
         empty = Reason(rule="empty_mission", message="The mission is empty: there is nothing to be done.", hint=WAY_OUT)
-        return desk.ended("incomplete", (empty,))
+        return desk.ended("incomplete", (empty,)), ()
     if len(words) > MAX_WORDS or len(brief.text) > MAX_WORDS * 60:
         message = f"The mission is too long for the offline author: it reads {MAX_WORDS} words and signs."
-        return desk.ended(
-            "incomplete", (Reason(rule="mission_too_long", message=message, hint="Shorten it, or set a model."),)
-        )
+        too_long = Reason(rule="mission_too_long", message=message, hint="Shorten it, or set a model.")
+        return desk.ended("incomplete", (too_long,)), ()
     reader = GoalReader(hearing_of(brief, library))
     clauses = _clauses(words, reader)
     results = [reader.read(clause, following) for clause, following in zip(clauses, (*clauses[1:], None), strict=False)]
@@ -66,12 +83,13 @@ def author_offline(brief: MissionBrief, methods: MethodLibrary | None = None) ->
     goals = [result for result in results if isinstance(result, Goal)]
     if troubles or not (unserved or any(goal.outline.pieces for goal in goals)):
         nothing = Reason(rule="nothing_asked", message="The mission asks for nothing.", hint=WAY_OUT)
-        return desk.ended("incomplete", (*(troubles or (nothing,)), *(_missing(brief, one) for one in unserved)))
-    if unserved:
-        return _declined(desk, unserved)
+        return desk.ended("incomplete", (*(troubles or (nothing,)), *(_missing(brief, one) for one in unserved))), ()
+    if unserved and not (served_only and any(goal.outline.pieces for goal in goals)):
+        return _declined(desk, unserved), ()
+    aside = tuple(clause.text for clause, result in zip(clauses, results, strict=True) if isinstance(result, Unserved))
     desk.remarks += reader.unused_statements(goals)
     assumptions = [assumption for goal in goals for assumption in goal.assumptions]
-    return built(desk, composed(goals, brief.routines), assumptions)
+    return built(desk, composed(goals, brief.routines), assumptions), aside
 
 
 def _clauses(words: tuple[Word, ...], reader: GoalReader) -> tuple[Clause, ...]:

@@ -151,7 +151,7 @@ def explained(plan: Plan, request: Request, control: Control, most: int = MOST_R
         return Explained(told, request)
     causes, case = _causes(plan, request)
     if case is None:
-        return Explained(replace(told, causes=causes), request)
+        return Explained(replace(told, causes=causes, nearest=nearest_of(plan, request, None, control)), request)
     known = [cause.shortfall for cause in causes if cause.shortfall is not None]
     repairs = Repairs(request, case, known, control)
     found = repairs.find(max(1, most))

@@ -21,15 +21,17 @@ from missiontree.checking import check
 from missiontree.errors import InternalError
 from missiontree.explaining.relaxed import Fixed, Relaxed
 from missiontree.explaining.weighing import in_steps, parts_of, topmost, weights_of, without_parts
-from missiontree.explaining.whole import as_given, wholly_authored
+from missiontree.explaining.whole import as_given, wholly_authored, wholly_understood
 from missiontree.mission.control import Control
 from missiontree.mission.explanation import Nearest
+from missiontree.mission.grounded import GroundedNode, GroundedTree
 from missiontree.mission.partial import LeftOut, Partial
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 from missiontree.mission.tree import MissionTree
 from missiontree.planner import plan_authored
 from missiontree.reporting.left_out import known_of_larger, parts_left_out
+from missiontree.routines.ground import ground
 
 MOST_EXAMINED = 64
 """Parts of the mission that are planned before the search is given up."""
@@ -68,18 +70,31 @@ def nearest_part(whole: Plan, request: Request, authored: Authored, control: Con
     """
     if whole.outcome not in UNDONE or (made := wholly_authored(request, authored)) is None:
         return None
+    return None if made.tree is None else _searched(whole, request, made, made.tree, control)
+
+
+def _searched(whole: Plan, request: Request, made: Authored, tree: MissionTree, control: Control) -> Plan | None:
+    if tree.open_leaves:  # nothing serves them: they are parts that cannot be done, whoever is there
+        rest = without_parts(tree, [leaf.id for leaf in tree.open_leaves], request.brief.routines)
+        grounding = ground(rest, request.brief, request.estimator)
+        grounded = grounding.tree
+        whole = replace(whole, reasons=tuple(dict.fromkeys((*whole.reasons, *grounding.not_offered))))
+        nobody = (GroundedNode(parent=0, kind="xor", label=leaf.label, source=leaf.id) for leaf in tree.open_leaves)
+        grounded = replace(grounded, nodes=(*grounded.nodes, *nobody))
+        return _Search(whole, request, made, tree, grounded, control).run()
     if whole.grounding is None:
         whole = plan_authored(request, made, control.part(SHARE))
-    if made.tree is None or whole.grounding is None:
+    if whole.grounding is None:
         return None
-    return _Search(whole, request, made, made.tree, control).run()
+    return _Search(whole, request, made, tree, whole.grounding.tree, control).run()
 
 
-def nearest_of(whole: Plan, request: Request, tree: MissionTree, control: Control) -> Nearest | None:
-    """The largest part of a mission whose whole tree is known, in words and with its plan; None if there is none."""
+def nearest_of(whole: Plan, request: Request, tree: MissionTree | None, control: Control) -> Nearest | None:
+    """The largest part of a mission, in words and with its plan; None if there is none. Without its tree the mission is read anew."""
     if whole.outcome not in UNDONE:
         return None
-    found = nearest_part(whole, request, as_given(tree, request.brief), control)
+    made = as_given(tree, request.brief) if tree is not None else wholly_understood(request)
+    found = None if made is None else nearest_part(whole, request, made, control)
     if found is None or found.partial is None:
         return None
     left_out = [one.message for one in parts_left_out(found.partial)]
@@ -103,13 +118,20 @@ class _Set:
 class _Search:
     """One search."""
 
-    def __init__(self, whole: Plan, request: Request, authored: Authored, tree: MissionTree, control: Control) -> None:
-        assert whole.grounding is not None
+    def __init__(
+        self,
+        whole: Plan,
+        request: Request,
+        authored: Authored,
+        tree: MissionTree,
+        grounded: GroundedTree,
+        control: Control,
+    ) -> None:
         self.whole, self.request, self.authored, self.tree, self.control = whole, request, authored, tree, control
         self.weights = weights_of(tree, request.brief.parts)
         self.steps = in_steps(self.weights, tree.root.id)
         self.parts = [part.id for part in parts_of(tree)]
-        self.relaxed = Relaxed(tree, whole.grounding.tree, request.brief, self.steps)
+        self.relaxed = Relaxed(tree, grounded, request.brief, self.steps)
         self.proven = whole.outcome == "cannot_be_done" and not request.brief.terms.judged_by_estimator
         self.examined = 0
         self.waiting: list[tuple[int, int, int, _Set]] = []

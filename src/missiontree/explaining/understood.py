@@ -25,14 +25,14 @@ BEST = 1_000_000.0
 def understood(request: Request) -> Authored | None:
     """What an author builds for a team that can do everything; None if it does not understand the mission or nobody serves it."""
     methods = load_methods(request.methods)
-    for brief in _eased(request.brief):
+    for brief in eased(request.brief):
         made = author_formal(brief, methods) if brief.goals else author_offline(brief, methods)
         if made.status == "complete" and made.tree is not None:
             return made
     return None
 
 
-def _eased(brief: MissionBrief) -> Iterator[MissionBrief]:
+def eased(brief: MissionBrief) -> Iterator[MissionBrief]:
     """The same mission for ever abler teams: the same with all limits lifted, then one without kinds as well."""
     needs = [role.rating for routine in brief.routines.routines for way in routine.branches for role in way.roles]
     needs += [

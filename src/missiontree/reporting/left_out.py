@@ -20,9 +20,10 @@ def parts_left_out(partial: Partial) -> tuple[Reason, ...]:
 
 def known_of_larger(partial: Partial) -> str:
     """How much of the mission is done, and whether more of it can be."""
-    routines = sum(node.routine is not None for node in partial.whole.nodes)
-    unweighted = partial.total == routines and partial.kept == round(partial.kept)
-    what = f"{routines} routines" if unweighted else f"{partial.total:g} by weight"
+    leaves = [node for node in partial.whole.nodes if not node.children]
+    unweighted = partial.total == len(leaves) and partial.kept == round(partial.kept)
+    kind = "routines" if all(leaf.routine is not None for leaf in leaves) else "parts"
+    what = f"{len(leaves)} {kind}" if unweighted else f"{partial.total:g} by weight"
     if partial.claim == "proven":
         return f"{partial.kept:g} of {what} can be done. Proven: no larger part can."
     return f"{partial.kept:g} of {what} can be done. A larger part is not excluded."
