@@ -23,6 +23,21 @@ def test_nothing_is_proven_where_the_step_before_was_not_decided(threshold: int,
     assert smallest(enough, [], None) == Size(threshold, False)
 
 
+@given(threshold=st.integers(1, 10**6), spare=st.integers(0, 10**5), start=st.integers(0, 10**6))
+def test_what_was_found_for_a_step_may_do_with_a_smaller_one(threshold: int, spare: int, start: int) -> None:
+    size = smallest(
+        lambda step: step >= threshold, [threshold + start], None, lambda step: max(threshold, step - spare)
+    )
+    assert size == Size(threshold, True)
+
+
+@given(threshold=st.integers(2, 10**4), blind=st.integers(1, 100))
+def test_a_step_that_is_not_found_again_is_not_taken(threshold: int, blind: int) -> None:
+    size = smallest(lambda step: step >= threshold, [threshold + blind], None, lambda step: threshold - 1)
+    assert size is not None
+    assert size.step >= threshold
+
+
 def test_a_good_guess_takes_two_questions() -> None:
     asked: list[int] = []
 

@@ -17,7 +17,7 @@ from missiontree.explaining.changes.needs import Needs, needs_of
 from missiontree.explaining.changes.parts import routines_below
 from missiontree.explaining.changes.robots import MOST_ADDED
 from missiontree.explaining.grid import at_step, last_step, sized, step_of
-from missiontree.explaining.guesses import guesses
+from missiontree.explaining.guesses import guesses, used_in
 from missiontree.explaining.pointless import Pointless
 from missiontree.explaining.probing import NO, Answer, Prober
 from missiontree.explaining.sizing import smallest
@@ -198,9 +198,14 @@ class Finder:
             ) -> bool | None:
                 return self.ask((*others[0], at_step(change, step), *others[1])).possible
 
+            def reached(step: int, change: Change = change, others: Sequence[tuple[Change, ...]] = others) -> int:
+                with_it = (*others[0], at_step(change, step), *others[1])
+                used = used_in(change, applied(self.case, with_it), self.ask(with_it))
+                return step if used is None else max(1, min(step, step_of(change, used)))
+
             numbers = guesses(change, applied(self.case, changes), self._needs, free, self._known)
             steps = [step_of(change, number) for number in numbers]
-            size = smallest(with_step, steps, last_step(change, MOST_ADDED))
+            size = smallest(with_step, steps, last_step(change, MOST_ADDED), reached)
             if size is None:
                 return None
             proven = proven and size.proven and self._only_more(free)

@@ -34,20 +34,29 @@ def guesses(change: Change, case: Case, needs: Needs, free: Answer, known: Seque
     yield from (shortfall.needs for shortfall in known if shortfall.quantity == name)
     yield from needs.at_least.get(name, ())
     yield from needs.at_most.get(name, ())
-    if free.best is None or free.grounding is None:
-        return
-    tree, schedule = free.grounding.tree, free.best
+    used = used_in(change, case, free)
+    if used is not None:
+        yield used
+
+
+def used_in(change: Change, case: Case, answer: Answer) -> float | None:
+    """What the schedule that was found takes of what a change is about; None if nothing was found, or that is not told by a number."""
+    if answer.best is None or answer.grounding is None:
+        return None
+    tree, schedule = answer.grounding.tree, answer.best
     match change.kind:
         case "extend_deadline":
-            yield _end(tree, schedule, change.target)
+            return _end(tree, schedule, change.target)
         case "extend_stay":
             mine = (act for act in schedule.actions if change.target in {act.robot, tree.action(act.leaf).robot_type})
-            yield max((act.end_s for act in mine), default=0.0)
+            return max((act.end_s for act in mine), default=0.0)
         case "raise_limit" | "raise_total" | "raise_stock":
             used = uses_by_robot(case, tree, schedule, change.name)
             of_type = case.brief.fleet.type_of
             whose = [amount for robot, amount in used.items() if change.target in {"", of_type[robot].id}]
-            yield max(whose, default=0.0) if change.kind == "raise_limit" else sum(whose)
+            return max(whose, default=0.0) if change.kind == "raise_limit" else sum(whose)
+        case _:
+            return None
 
 
 def _end(tree: GroundedTree, schedule: Schedule, node_id: str) -> float:

@@ -1,6 +1,9 @@
 """
 The smallest step of a number that is enough: guesses first, then growing steps, then bisection on whole numbers.
 
+After each step that is enough the one before it is asked for, since what is enough is often the least already, and to show that a step is
+not enough takes longest.
+
 Every step is answered by the planner. It is proven that nothing smaller is enough if the step before was proven not to be: more of what
 is asked for here never takes a way of doing the mission away. Where that does not hold nobody claims it.
 """
@@ -29,7 +32,12 @@ class Size(NamedTuple):
     proven: bool
 
 
-def smallest(enough: Callable[[int], bool | None], guesses: Iterable[int], last: int | None) -> Size | None:
+def smallest(
+    enough: Callable[[int], bool | None],
+    guesses: Iterable[int],
+    last: int | None,
+    reached: Callable[[int], int] = lambda step: step,
+) -> Size | None:
     """
     The smallest step that is enough.
 
@@ -41,6 +49,8 @@ def smallest(enough: Callable[[int], bool | None], guesses: Iterable[int], last:
         Steps that may be just enough.
     last
         No step is larger; None if there is no end.
+    reached
+        Asked of a step that is enough: the smallest that what was found for it would do with. Default: the step itself.
 
     Returns
     -------
@@ -64,15 +74,16 @@ def smallest(enough: Callable[[int], bool | None], guesses: Iterable[int], last:
         high = _grown(ask, low, last)
     if high is None:
         return None
-    if ask(high - 1):
-        high -= 1
     low = max(step for step, answer in known.items() if step < high and answer is not True)
-    while high - low > 1:
+    while high - low > 1 and ask(high - 1):
+        high = max(low + 1, min(high - 1, reached(high - 1)))
         middle = (low + high) // 2
-        if ask(middle):
-            high = middle
+        if middle > low and ask(middle):
+            high = max(low + 1, min(middle, reached(middle)))
         else:
             low = middle
+    if not ask(high):  # what was found for a larger step would do with it, and was not found again
+        high = min(step for step, answer in known.items() if answer)
     return Size(high, ask(high - 1) is False)
 
 
