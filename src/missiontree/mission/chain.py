@@ -19,6 +19,7 @@ Bond = Literal[
     "entity",
     "resource",
     "partner",
+    "hand_over",
     "until",
     "under_way",
     "release",
@@ -49,8 +50,8 @@ class Step(Value):
     bond
         Why it does not start earlier: ``start`` of the mission; the step before it is what its ``role`` or its ``robot`` does
         before, the ``travel`` there, an action that comes first by ``order``, one that brings or needs the same ``entity``, one
-        that held a shared ``resource``, one that its joint ``partner`` waits for, or what it lasts ``until``; or its ``release``
-        time; or that its robot is not ``available`` before; or ``unexplained``.
+        that held a shared ``resource``, one that its joint ``partner`` waits for, one that takes part in a ``hand_over``, or
+        what it lasts ``until``; or its ``release`` time; or that its robot is not ``available`` before; or ``unexplained``.
     """
 
     kind: StepKind

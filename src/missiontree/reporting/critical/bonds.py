@@ -148,6 +148,8 @@ class Bonds:
         else:
             one = self.at[leaf]
             yield Cause("start", Event("start", leaf), ms(one.end_s) - ms(one.start_s), "action")
+        if leaf in self.taker:  # a hand-over ends when somebody takes over
+            yield Cause("hand_over", Event("start", self.taker[leaf]))
         for open_ended in self._kept_up_by(leaf):
             yield Cause("under_way", Event("start", open_ended), 1, "under_way")
 

@@ -107,6 +107,8 @@ def _after(tree: GroundedTree, before: Step, step: Step) -> str:
         return f"once {before.robot} has left what both need: {text}"
     if step.bond == "until":
         return f"ends with {before.robot}: {text}"
+    if step.bond == "hand_over":
+        return f"to hand over, after {before.robot}: {text}"
     if step.bond == "partner":
         return f"for joint work, after {before.robot}: {text}"
     if before.kind == "under_way":

@@ -43,7 +43,7 @@ class Due(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One robot: its name, its type, how it looks, what it does, and its deadlines, each list in order of time."""
+    """One robot: name, type, looks, what it does, its deadlines, and when it takes no part; each list in order of time."""
 
     robot: str
     kind: str
@@ -53,6 +53,7 @@ class Row:
     waits: Sequence[Stretch]
     roles: Sequence[Stretch]
     dues: Sequence[Due] = ()
+    away: Sequence[Stretch] = ()
 
 
 class Order(NamedTuple):
@@ -119,6 +120,8 @@ class Content:
         By when the mission must have ended; None (default) means no deadline.
     shared
         Shared resources that are held, in the order of the scene. Default: none.
+    times
+        By leaf: the release time of what begins with it and the deadline of what ends with it, in words. Default: none.
     handing
         By leaf that hands over or takes over: to whom, or from whom, in words. Default: none.
     """
@@ -132,3 +135,4 @@ class Content:
     deadline_s: float | None = None
     shared: Sequence[SharedRow] = ()
     handing: Mapping[int, str] = field(default_factory=dict)
+    times: Mapping[int, str] = field(default_factory=dict)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from missiontree.mission.grounded import GroundedTree
+from missiontree.reporting.critical.bonds import Bonds
 from missiontree.reporting.escape import one_line, xml_safe
 from missiontree.reporting.gantt.content import Due, Row
 from missiontree.reporting.gantt.layout import Place, Scale
@@ -35,6 +36,22 @@ def times_of(tree: GroundedTree, leaf: int) -> Iterator[str]:
         yield f"may not start before {exact(window.release / 1000)}"
     if window.deadline is not None:
         yield f"must end by {exact(window.deadline / 1000)}"
+
+
+def times_at(bonds: Bonds) -> dict[int, str]:
+    """
+    Release times and deadlines in words, by the scheduled action that has to keep them.
+
+    A release time stands at the first action of what has it, a deadline at the last; those of the whole mission are told with the mission.
+    """
+    found: dict[int, list[str]] = {}
+    for index, node in enumerate(bonds.tree.nodes):
+        first, last = bonds.first_below(index), bonds.last_below(index)
+        if index and node.release_s and first is not None:
+            found.setdefault(first, []).append(f"not before {exact(node.release_s)}")
+        if index and node.deadline_s is not None and last is not None:
+            found.setdefault(last, []).append(f"due by {exact(node.deadline_s)}")
+    return {leaf: ", ".join(dict.fromkeys(words)) for leaf, words in found.items()}
 
 
 def flags(row: Row, scale: Scale, place: Place) -> Iterator[str]:

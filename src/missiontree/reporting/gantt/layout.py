@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from missiontree.reporting.gantt.content import Bar, Content, Row
@@ -164,7 +164,7 @@ def _merged(row: Row, scale: Scale, narrow: float) -> Row:
         bars += [_one(run)] if run else []
         run = [bar] if bar is not None and right - left < narrow else []
         bars += [bar] if bar is not None and not run else []
-    return Row(row.robot, row.kind, row.livery, bars, row.ways, row.waits, row.roles)
+    return replace(row, bars=bars)
 
 
 def _one(run: Sequence[Bar]) -> Bar:

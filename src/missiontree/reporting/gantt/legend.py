@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from missiontree.reporting.gantt.away import away_sign
 from missiontree.reporting.gantt.bars import diamonds, stripes
 from missiontree.reporting.gantt.content import Bar, Content, Row
 from missiontree.reporting.gantt.layout import BOLD, MARGIN
@@ -111,6 +112,8 @@ def _signs(content: Content, rows: Sequence[Row], prefix: str, *, arrows: bool) 
         yield _arrow(BLUE, 1.4, "mt-link"), "comes first"
     if any(due.time_s <= content.makespan_s for row in rows for due in row.dues):
         yield _DUE, "a deadline of something in the row"
+    if any(row.away for row in rows):
+        yield away_sign(prefix), "the robot takes no part"
     if content.joint:
         yield _JOINT, "done together"
     if content.chain:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.gantt import axis, shared
+from missiontree.reporting.gantt.away import away_pattern, hatched
 from missiontree.reporting.gantt.bars import bands, stripe_lines, strokes, words_of
 from missiontree.reporting.gantt.content import Bar, Content, Row
 from missiontree.reporting.gantt.dues import flags
@@ -81,6 +82,7 @@ class Chart:
         yield "<defs>"
         yield from stripe_lines(self.rows, self.prefix)
         yield from hatch_lines((row.livery for row in self.rows), self.prefix)
+        yield from away_pattern(self.rows, self.prefix)
         yield "</defs>"
         for place, line in enumerate(title):
             yield text(MARGIN, MARGIN + 14 + 20.0 * place, line, size=TITLE, bold=True)
@@ -114,6 +116,7 @@ class Chart:
     def _bands(self, stand: Sequence[Place]) -> Iterator[str]:
         for row, place in zip(self.rows, stand, strict=True):
             yield f'<g class="mt-hue-{row.livery.number}">'
+            yield from hatched(row, self.scale, place, self.prefix)
             yield from bands(row, self.scale, place)
             yield "</g>"
 

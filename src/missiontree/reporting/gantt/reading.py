@@ -15,8 +15,9 @@ from missiontree.reporting.critical.bonds import Bonds, Event
 from missiontree.reporting.critical.chain import critical_chain
 from missiontree.reporting.critical.spans import ms
 from missiontree.reporting.escape import one_line
+from missiontree.reporting.gantt.away import away_of
 from missiontree.reporting.gantt.content import Bar, Content, Order, Row, Stretch
-from missiontree.reporting.gantt.dues import dues_of, times_of
+from missiontree.reporting.gantt.dues import dues_of, times_at, times_of
 from missiontree.reporting.gantt.shared import shared_rows
 from missiontree.reporting.gantt.time import exact
 from missiontree.reporting.gantt.waits import why_waited
@@ -38,6 +39,7 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
     kinds = plan.brief.fleet.type_of
     legs = {(leg.robot, leg.leaf): leg for leg in schedule.legs}
     returns = {leg.robot: leg for leg in schedule.returns}
+    end_s = max([*(one.end_s for one in schedule.actions), *(leg.end_s for leg in schedule.returns)])
     rows = [
         _Robot(
             tree,
@@ -46,6 +48,7 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
             legs,
             returns.get(robot),
             sorted(own[robot], key=lambda one: (one.start_s, one.end_s, one.leaf)),
+            away_of(fleet, robot, end_s),
         ).row(
             robot,
             one_line(kinds[robot].label) if robot in kinds and kinds[robot].label != robot else "",
@@ -58,13 +61,14 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
     return Content(
         rows,
         idle,
-        max([*(one.end_s for one in schedule.actions), *(leg.end_s for leg in schedule.returns)]),
+        end_s,
         chain,
         list(_orders(tree, bonds, chain)),
         joint,
         tree.nodes[0].deadline_s,
         shared_rows(tree, bonds.at.values(), resources, looks),
         handing_of(bonds),
+        times_at(bonds),
     )
 
 
@@ -87,6 +91,7 @@ class _Robot:
     legs: dict[tuple[str, int], TravelLeg]
     home: OwnLeg | None
     done: Sequence[ScheduledAction]
+    away: Sequence[Stretch]
 
     def row(self, robot: str, kind: str, livery: Livery) -> Row:
         lit = {(step.kind, step.leaf) for step in self.chain}
@@ -101,7 +106,7 @@ class _Robot:
         if self.home is not None:
             ways.append(_way_home(self.home, any(step.kind == "home" and step.robot == robot for step in self.chain)))
         dues = dues_of(self.tree, [one.leaf for one in self.done])
-        return Row(robot, kind, livery, bars, ways, list(self._waits()), self._roles(), dues)
+        return Row(robot, kind, livery, bars, ways, list(self._waits()), self._roles(), dues, self.away)
 
     def _bar(self, one: ScheduledAction, lit: bool) -> Bar:
         action = self.tree.action(one.leaf)

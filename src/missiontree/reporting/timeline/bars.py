@@ -14,7 +14,7 @@ from missiontree.reporting.gantt.time import in_words, ticks
 WORK = "█▓"
 """Two shades, in turn, so that two actions in a row can be told apart."""
 MOVE = "═"
-WAY, WAIT = "─", "·"
+WAY, WAIT, AWAY = "─", "·", "╱"
 HELD = "▒░"
 """The same for who holds a shared resource."""
 MAX_ROBOTS = 100
@@ -101,6 +101,8 @@ def signs(content: Content, critical: str) -> str:
         parts.append(f"{WAY} travel")
     if any(row.waits for row in content.rows):
         parts.append(f"{WAIT} waiting")
+    if any(row.away for row in content.rows):
+        parts.append(f"{AWAY} takes no part")
     if content.shared:
         parts.append(f"{HELD} a shared resource is held")
     if content.chain:
@@ -124,6 +126,8 @@ def _line(row: Row, makespan_s: float, cells: int) -> Text:
 
 
 def _stretches(row: Row) -> Iterator[tuple[float, float, str, str]]:
+    for away in row.away:
+        yield away.start_s, away.end_s, AWAY, "dim"
     for wait in row.waits:
         yield wait.start_s, wait.end_s, WAIT, "dim"
     for way in row.ways:

@@ -111,7 +111,7 @@ def _lists(content: Content, rows: list[Row]) -> Table:
     table.add_column(justify="right", no_wrap=True)
     table.add_column()
     lines = [
-        (shown.robot, list(_lines(shown, own.get(shown.robot, []), mates, content.handing))) for shown in content.rows
+        (shown.robot, list(_lines(shown, own.get(shown.robot, []), mates, _beside(content)))) for shown in content.rows
     ]
     told = 0
     for robot, of_robot in lines:
@@ -131,7 +131,7 @@ def _lists(content: Content, rows: list[Row]) -> Table:
     return table
 
 
-def _lines(shown: Shown, rows: list[Row], mates: dict[int, str], handing: Mapping[int, str]) -> Iterator[_Line]:
+def _lines(shown: Shown, rows: list[Row], mates: dict[int, str], more: Mapping[int, str]) -> Iterator[_Line]:
     """What a robot does, travels and waits for, in order of time."""
     lit = {bar.leaf for bar in shown.bars if bar.lit}
     lit_ways = {(way.start_s, way.end_s) for way in shown.ways if way.lit}
@@ -139,12 +139,20 @@ def _lines(shown: Shown, rows: list[Row], mates: dict[int, str], handing: Mappin
     for row in rows:
         bright = (row.start_s, row.end_s) in lit_ways if row.travel else row.leaf in lit
         beside = f", with {mates[row.leaf]}" if row.leaf in mates and not row.travel else ""
-        beside += f", {handing[row.leaf]}" if row.leaf in handing and not row.travel else ""
+        beside += f", {more[row.leaf]}" if row.leaf in more and not row.travel else ""
         found.append(_Line(row.start_s, row.end_s, row.text + beside, row.moving, bright))
     found += [
         _Line(wait.start_s, wait.end_s, f"wait {wait.label}".rstrip(), quiet=True, lit=False) for wait in shown.waits
     ]
+    found += [_Line(away.start_s, away.end_s, away.label, quiet=True, lit=False) for away in shown.away]
     yield from sorted(found, key=lambda line: (line.start_s, line.end_s))
+
+
+def _beside(content: Content) -> dict[int, str]:
+    """What else is told of an action: to whom it hands over, its release time, the deadline that it keeps."""
+    leaves = dict.fromkeys([*content.handing, *content.times])
+    told = {leaf: (content.handing.get(leaf, ""), content.times.get(leaf, "")) for leaf in leaves}
+    return {leaf: ", ".join(filter(None, words)) for leaf, words in told.items()}
 
 
 def _mates(content: Content) -> dict[int, str]:
