@@ -18,6 +18,7 @@ from missiontree.mission.brief import MissionBrief
 from missiontree.mission.control import Control
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
+from missiontree.mission.goal import Goal
 from missiontree.mission.plan import Plan
 from missiontree.mission.tree import Link, MissionNode, MissionTree
 from missiontree.planner import author, plan_authored
@@ -141,6 +142,27 @@ def test_a_weight_for_what_is_no_part_is_refused_with_what_is_meant() -> None:
     with pytest.raises(InputError, match="no part of the mission") as refusal:
         nearest(tree, brief_of(tree, without=("transportation_robot",), parts={"Serch(cat)": 2.0}))
     assert "Search(cat)" in refusal.value.hint
+
+
+def test_goals_say_how_much_they_count() -> None:
+    """One searcher and 140 s for three searches of 67 s: two can be done, and not the one that counts least."""
+    brief = brief_of(
+        "Look for things",
+        fleet=Fleet((RobotType(id="eye", count=1, capabilities={"search": 1.0}),)),
+        goals=(Goal(do="Search(a)", weight=3.0), Goal(do="Search(b)"), Goal(do="Search(c)", weight=2.0)),
+        entities=THINGS,
+        deadline_s=140.0,
+    )
+    request = Request(brief=brief)
+    authored = author(request)
+    plan = nearest_part(plan_authored(request, authored, Control()), request, authored, Control())
+    assert left_out(plan) == ["search-b"]
+    assert plan is not None
+    assert plan.partial is not None
+    assert (plan.partial.kept, plan.partial.total) == (5, 6)
+    assert check(plan) == ()
+    with pytest.raises(ValueError, match="has no weight of its own"):
+        Goal(method="rescue", slots={"victim": "a"}, weight=2.0)
 
 
 def test_weights_go_down_the_tree_in_proportion() -> None:

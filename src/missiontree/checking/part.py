@@ -136,7 +136,7 @@ def _rest(whole: MissionTree, left_out: list[str], brief: MissionBrief) -> Missi
 
 def _weights(whole: MissionTree, case: Case) -> dict[str, Fraction]:
     """From the leaves up what each node counts by itself, then from the root down what share of its parent's weight it has."""
-    stated = {_plain(name): Fraction(str(weight)) for name, weight in case.plan.brief.parts.items()}
+    stated = {_plain(name): Fraction(str(weight)) for name, weight in case.plan.brief.weighed.items()}
     labels = {entity.id: entity.label or entity.id for entity in case.scene.all_entities}
     by_itself: dict[str, Fraction] = {}
     for node in whole.nodes[::-1]:

@@ -128,7 +128,7 @@ class _Search:
         control: Control,
     ) -> None:
         self.whole, self.request, self.authored, self.tree, self.control = whole, request, authored, tree, control
-        self.weights = weights_of(tree, request.brief.parts)
+        self.weights = weights_of(tree, request.brief.weighed)
         self.steps = in_steps(self.weights, tree.root.id)
         self.parts = [part.id for part in parts_of(tree)]
         self.relaxed = Relaxed(tree, grounded, request.brief, self.steps)

@@ -179,6 +179,12 @@ class MissionBrief(Value):
         return Aim(accumulate=self.accumulate, diverse=self.diverse)
 
     @cached_property
+    def weighed(self) -> Mapping[str, float]:
+        """Weights of parts by name: those that goals have, and those of ``parts``, which go before them."""
+        of_goals = {goal.do or goal.task: goal.weight for goal in all_goals(self.goals) if goal.weight is not None}
+        return of_goals | dict(self.parts)
+
+    @cached_property
     def team(self) -> Fleet:
         """The fleet without what the mission leaves out."""
         return self.terms.team_of(self.fleet)

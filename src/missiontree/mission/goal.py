@@ -9,7 +9,7 @@ from missiontree.mission.call import call_of
 from missiontree.mission.frozen_map import FrozenMap
 from missiontree.mission.times import check_times
 from missiontree.mission.tree import Gate
-from missiontree.mission.value import Id, NonNegative, Value, require_unique
+from missiontree.mission.value import Id, NonNegative, Positive, Value, require_unique
 
 _NO_NAME = frozenset("()[]{};")
 
@@ -47,6 +47,9 @@ class Goal(Value):
         Nothing of the goal starts earlier; seconds from the mission's start, at least 0. Default 0. A robot may be on its way before.
     deadline_s
         All of the goal has ended by then; seconds from the mission's start, at least 0. None (default) means no deadline.
+    weight
+        How much the goal counts where not all of the mission can be done, above 0; for routines and tasks only. Default: see
+        :class:`missiontree.mission.partial.Partial`.
     """
 
     do: str = ""
@@ -62,6 +65,7 @@ class Goal(Value):
     not_by: tuple[Id, ...] = ()
     release_s: NonNegative = 0.0
     deadline_s: NonNegative | None = None
+    weight: Positive | None = None
 
     def _check(self) -> None:
         self._freeze_slots()
@@ -74,6 +78,10 @@ class Goal(Value):
             raise ValueError(f"the task {self.task!r} has no goals.")
         if not self.task and (self.goals or self.gate != "and"):
             raise ValueError(f"the goal {self.shown!r} is no task; goals and gate belong to tasks.")
+        if self.method and self.weight is not None:
+            raise ValueError(
+                f"the goal {self.shown!r} names a method, and has no weight of its own; weigh what it leads to by 'parts' of the mission."
+            )
         if not self.method and self.slots:
             raise ValueError(f"the goal {self.shown!r} names no method; slots belong to methods.")
         for slot in self.slots:
