@@ -13,6 +13,7 @@ from typing import Any
 
 from missiontree.mission.alternative import Alternative, Choice, RoleType
 from missiontree.mission.certificate import Certificate
+from missiontree.mission.charger import Charger
 from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Estimate
 from missiontree.mission.fleet import Fleet, Robot, RobotType
@@ -86,6 +87,11 @@ def random_schedule_case(rng: Random) -> ScheduleCase:
     if rng.random() < 0.3:
         draw.features.add("home")
         terms = replace(terms, return_home=True, home_by_s=float(rng.randint(8, 40)) if rng.random() < 0.3 else None)
+    if rng.random() < 0.5 and any("energy_j" in kind.limits for kind in fleet.types):
+        draw.features.add("chargers")
+        chargers = _chargers(rng, fleet)
+        fleet = _within_full(rng, fleet)
+        terms, scene = replace(terms, chargers=chargers), replace(scene, chargers=chargers)
     return ScheduleCase(tree, alternative, fleet, scene, terms, frozenset(draw.features))
 
 
@@ -324,6 +330,41 @@ def _terms(draw: _Draw, tree: GroundedTree, alternative: Alternative, fleet: Fle
     totals = {"energy_j": float(rng.randint(10, 60))} if rng.random() < 0.3 else {}
     stock = {"coins": float(rng.randint(3, 8))} if rng.random() < 0.3 else {}
     return Fleet(tuple(types), total_limits=totals), Terms(require=require, stock=stock)
+
+
+def _chargers(rng: Random, fleet: Fleet) -> tuple[Charger, ...]:
+    """One or two, for all types or for one."""
+    return tuple(
+        Charger(
+            id=f"plug{number}",
+            position=Position(float(rng.randint(-2, 8)), 0.0),
+            rate_per_s=rng.choice((0.7, 3.0, 10.0)),
+            types=rng.choice((None, None, (fleet.types[0].id,))),
+            capacity=rng.choice((1, 1, 2)),
+        )
+        for number in range(rng.randint(1, 2))
+    )
+
+
+def _within_full(rng: Random, fleet: Fleet) -> Fleet:
+    """The fleet with robots that have little left at the start, and never more than their type holds."""
+    types = []
+    for kind in fleet.types:
+        if "energy_j" not in kind.limits:
+            types.append(replace(kind, robots=tuple(replace(robot, remaining={}) for robot in kind.robots)))
+            continue
+        full = rng.randint(10, 30)
+        robots = tuple(
+            replace(
+                robot,
+                position=robot.position or kind.position,
+                remaining={"energy_j": float(rng.randint(1, full // 2))} if rng.random() < 0.8 else {},
+            )
+            for robot in kind.members
+        )
+        limits = {**kind.limits, "energy_j": float(full)}
+        types.append(replace(kind, limits=limits, robots=robots, count=None, position=None))
+    return replace(fleet, types=tuple(types))
 
 
 def _limited(kind: RobotType, most: int | None) -> RobotType:

@@ -4,6 +4,8 @@ The least makespan of small missions on a line, by trying everything: an oracle 
 Actions (joint ones together) are put down one after the other, each as early as it can be after what stands there already; every order
 and every choice of robots is tried. Some best schedule comes about that way: put its actions down in order of their starts. Of a shared
 resource every way is tried in which its places can be passed on from one holder to the next, so that it is no more than an order.
+What robots can refill lasts for ever here, so that with
+chargers the least makespan may be out of reach.
 """
 
 from __future__ import annotations
@@ -529,12 +531,12 @@ class Oracle:
 
     def _spend(self, world: _World, robot: str, uses: Mapping[str, float], metres: float) -> bool:
         kind = self.fleet.type_of[robot]
-        use = dict(uses)
+        use, refilled = dict(uses), self.case.terms.refilled(kind)
         for name, amount in kind.uses_per_m.items():
             use[name] = use.get(name, 0.0) + amount * metres
         for name, amount in use.items():
             limits = (
-                (robot, kind.budget(self.fleet.robots[robot], name)),
+                (robot, None if name in refilled else kind.budget(self.fleet.robots[robot], name)),
                 (f"type {kind.id}", kind.total_limits.get(name)),
                 ("all", self.fleet.total_limits.get(name)),
                 ("stock", self.case.terms.stock.get(name)),

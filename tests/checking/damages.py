@@ -27,7 +27,7 @@ from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import Need, Routine, RoutineLibrary
-from missiontree.mission.schedule import OwnLeg, Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.schedule import OwnLeg, Recharge, Schedule, ScheduledAction, TravelLeg
 from missiontree.mission.search_limit import SearchLimit
 from missiontree.mission.tree import Link, MissionNode
 
@@ -149,6 +149,18 @@ def with_done(plan: Plan, place: int, number: int, **changes: Any) -> Plan:
     actions = list(plan.schedules[place].actions)
     actions[number] = replace(actions[number], **changes)
     return with_schedule(plan, place, actions=tuple(actions))
+
+
+def refilled(plan: Plan) -> Iterator[tuple[int, Schedule, int, Recharge]]:
+    for place, schedule in schedules(plan):
+        for number, visit in enumerate(schedule.recharges):
+            yield place, schedule, number, visit
+
+
+def with_visit(plan: Plan, place: int, number: int, **changes: Any) -> Plan:
+    visits = list(plan.schedules[place].recharges)
+    visits[number] = replace(visits[number], **changes)
+    return with_schedule(plan, place, recharges=tuple(visits))
 
 
 def returning(plan: Plan) -> Iterator[tuple[int, Schedule, int, OwnLeg]]:
@@ -1866,3 +1878,78 @@ def returns_reversed(plan: Plan) -> Iterator[Plan]:
     for place, schedule in schedules(plan):
         if len({leg.start_s for leg in schedule.returns}) > 1:
             yield with_schedule(plan, place, returns=schedule.returns[::-1])
+
+
+# Visits to chargers.
+
+
+@breaks("recharge_unknown")
+def refilled_nowhere(plan: Plan) -> Iterator[Plan]:
+    """At a charger that there is not, or by a robot that does nothing."""
+    for place, _, number, visit in refilled(plan):
+        yield with_visit(plan, place, number, charger="narnia")
+        leg = None if visit.leg is None else replace(visit.leg, robot="hauler-1")
+        yield with_visit(plan, place, number, robot="hauler-1", leg=leg)
+
+
+@breaks("recharge_not_allowed")
+def charger_for_others(plan: Plan) -> Iterator[Plan]:
+    scene = plan.brief.scene
+    if scene is not None and scene.chargers:
+        closed = tuple(replace(charger, types=("hauler",)) for charger in scene.chargers)
+        yield with_brief(plan, scene=replace(scene, chargers=closed))
+
+
+@breaks("recharge_overlap")
+def refilled_on_the_way(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, visit in refilled(plan):
+        if visit.leg is not None and visit.leg.end_s - visit.leg.start_s > 0.01:
+            yield with_visit(plan, place, number, start_s=visit.leg.start_s)
+
+
+@breaks("recharge_too_fast")
+def refilled_in_half_the_time(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, visit in refilled(plan):
+        if visit.end_s - visit.start_s > 0.01:
+            yield with_visit(plan, place, number, end_s=round((visit.start_s + visit.end_s) / 2, 3))
+
+
+@breaks("charger_crowded")
+def charger_not_waited_for(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, visit in refilled(plan):
+        if visit.leg is not None and visit.start_s - visit.leg.end_s > 0.01:
+            lasts_s = visit.end_s - visit.start_s
+            yield with_visit(plan, place, number, start_s=visit.leg.end_s, end_s=round(visit.leg.end_s + lasts_s, 3))
+
+
+@breaks("level_below_nothing")
+def refilled_too_little(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, visit in refilled(plan):
+        yield with_visit(plan, place, number, amount=visit.amount / 2)
+
+
+@breaks("level_above_full")
+def refilled_too_much(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, visit in refilled(plan):
+        yield with_visit(plan, place, number, amount=visit.amount + 1000)
+
+
+@breaks("own_leg_missing")
+def charger_reached_by_no_way(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, visit in refilled(plan):
+        if visit.leg is not None and visit.leg.distance_m > 0.01:
+            yield with_visit(plan, place, number, leg=None)
+
+
+@breaks("own_leg_at_wrong_time")
+def refilled_before_it_is_there(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, visit in refilled(plan):
+        if visit.leg is not None:
+            yield with_visit(plan, place, number, leg=replace(visit.leg, end_s=round(visit.start_s + 0.5, 3)))
+
+
+@breaks("schedule_unsorted")
+def visits_reversed(plan: Plan) -> Iterator[Plan]:
+    for place, schedule in schedules(plan):
+        if len({visit.start_s for visit in schedule.recharges}) > 1:
+            yield with_schedule(plan, place, recharges=schedule.recharges[::-1])

@@ -17,6 +17,7 @@ from missiontree.explaining.nearest import nearest_part
 from missiontree.formats.inputs import input_digests
 from missiontree.mission.area import Area, KeepOut, Zone
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.charger import Charger
 from missiontree.mission.control import Control
 from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Estimate, Weights
@@ -592,7 +593,48 @@ def weighed() -> Plan:
     return made(tree, brief, scheduler="auto")
 
 
+@cache
+def refilling() -> Plan:
+    """
+    Two rovers of 100 J see to a pump, a valve and a tank, 50 J each, and go home; there is one charger between them, with room for one.
+
+    One rover does two of them. Both refill, and one of them waits for the other.
+    """
+    look = ActionStep(name="look", text="Look at {agent}", duration_s=20.0, at="agent", uses={"energy_j": 50.0})
+    inspect = Routine(
+        id="Look",
+        purpose="Look at {agent}",
+        arguments=(Argument(name="agent", kinds=THINGS),),
+        branches=(Branch(name="look", roles=(RoleSpec(name="looker", rating="look", actions=(look,)),)),),
+    )
+    spots = {"pump": (20, 0), "valve": (20, 20), "tank": (0, 20)}
+    scene = Scene(
+        places=(Entity(id="dock", kind="place", position=Position(10, 10)),),
+        entities=tuple(Entity(id=name, position=Position(*spot)) for name, spot in spots.items()),
+        chargers=(Charger(id="plug", place="dock", rate_per_s=5.0),),
+    )
+    fleet = Fleet(
+        (
+            RobotType(
+                id="rover",
+                count=2,
+                capabilities={"look": 1.0},
+                limits={"max_speed_mps": 1.0, "energy_j": 100.0},
+                uses_per_m={"energy_j": 1.0},
+                position=Position(0, 0),
+            ),
+            RobotType(id="hauler", count=1, limits={"energy_j": 10.0}),
+        )
+    )
+    tree = flat_tree(*(routine_node(f"see-{name}", "Look", agent=name) for name in spots))
+    return made(
+        tree,
+        brief_of(tree, fleet, RoutineLibrary(routines=(inspect,)), scene=scene, return_home=True, deadline_s=300.0),
+    )
+
+
 PLANS = {
+    "refilling": refilling,
     "partial": partial,
     "homeward": homeward,
     "measured": measured,

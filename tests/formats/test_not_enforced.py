@@ -8,11 +8,7 @@ from missiontree.formats.document import KINDS, read_text
 from missiontree.formats.not_enforced import FIELDS
 from missiontree.formats.schema import values_in
 
-HEAD = "types:\n- id: cart\n  count: 2\n"  # three lines, a sound fleet
-
 PLANNED = [
-    ("fleet", HEAD + "  recharge: {}\n", 4, "types[0].recharge", "recharging"),
-    ("scene", "entities: []\nchargers: []\n", 2, "chargers", "recharging"),
     (
         "scene",
         "roads:\n  lifts:\n  - {id: l, stops: [a, b], ride_s: 1, capacity: 2}\n",

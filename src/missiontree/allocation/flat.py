@@ -278,14 +278,21 @@ def _stocks(tree: GroundedTree, fleet: Fleet, terms: Terms) -> dict[str, Stock]:
                 f"the tree has actions of robot type {name!r}, which the fleet does not have",
                 accepted=", ".join(team.by_id),
             )
-    return {name: _stock(team.by_id[name], fleet.by_id[name], sorted(used[name]), required) for name in named}
+    return {
+        name: _stock(
+            team.by_id[name], fleet.by_id[name], sorted(used[name]), required, terms.refilled(fleet.by_id[name])
+        )
+        for name in named
+    }
 
 
-def _stock(robot_type: RobotType, whole: RobotType, names: list[str], required: tuple[str, ...]) -> Stock:
-    """What is there of a type, and of the whole of it what is left out."""
+def _stock(
+    robot_type: RobotType, whole: RobotType, names: list[str], required: tuple[str, ...], refilled: frozenset[str]
+) -> Stock:
+    """What is there of a type, and of the whole of it what is left out; what robots refill is no budget of theirs."""
 
     def budget_of(robot: Robot) -> dict[str, int]:
-        found = {name: robot_type.budget(robot, name) for name in names}
+        found = {name: robot_type.budget(robot, name) for name in names if name not in refilled}
         return {name: amount(limit) for name, limit in found.items() if limit is not None}
 
     members = robot_type.members

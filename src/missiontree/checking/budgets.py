@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from missiontree.checking.case import Case
 from missiontree.checking.fault import Fault
+from missiontree.checking.levels import allowance
 from missiontree.checking.timetable import Timetable
 
 Use = dict[tuple[str, str], float]
@@ -17,7 +18,7 @@ def budget_exceeded(case: Case) -> Iterator[Fault]:
     """A robot uses more of a budget than it has: for its actions and for every metre that it travels."""
     for timetable in case.timetables:
         for (robot, name), used in sorted(used_by_robot(case, timetable).items()):
-            left = case.fleet.type_of[robot].budget(case.fleet.robots[robot], name)
+            left = allowance(case, robot, name)
             if left is not None and beyond(used, left):
                 yield Fault(
                     f"schedule {timetable.schedule.rank}: {robot} uses {used:g} of {name} and has {left:g}.",

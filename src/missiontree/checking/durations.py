@@ -8,7 +8,7 @@ from missiontree.checking.case import Case
 from missiontree.checking.clock import TOLERANCE, on_grid, shown, ticks_needed
 from missiontree.checking.fault import Fault, named
 from missiontree.checking.timetable import Deed, Timetable
-from missiontree.mission.schedule import ScheduledAction, TravelLeg
+from missiontree.mission.schedule import OwnLeg, Recharge, ScheduledAction, TravelLeg
 
 
 def time_off_grid(case: Case) -> Iterator[Fault]:
@@ -26,12 +26,14 @@ def time_off_grid(case: Case) -> Iterator[Fault]:
                         found=f"{time_s!r} s",
                         needed="a whole number of milliseconds",
                     )
-        for leg in schedule.returns:
-            for time_s in (leg.start_s, leg.end_s):
+        others: list[OwnLeg | Recharge] = [*schedule.returns, *schedule.recharges]
+        others += [visit.leg for visit in schedule.recharges if visit.leg is not None]
+        for one in others:
+            for time_s in (one.start_s, one.end_s):
                 if not on_grid(time_s):
                     yield Fault(
-                        f"schedule {schedule.rank}: the way home of {leg.robot} has time {time_s!r} s, off the grid of 1 ms.",
-                        robot=leg.robot,
+                        f"schedule {schedule.rank}: {one.robot} has time {time_s!r} s on a way of its own, off the grid of 1 ms.",
+                        robot=one.robot,
                         found=f"{time_s!r} s",
                         needed="a whole number of milliseconds",
                     )
@@ -103,5 +105,7 @@ def schedule_unsorted(case: Case) -> Iterator[Fault]:
             if keys != sorted(keys):
                 yield Fault(f"the {what} of schedule {schedule.rank} are not listed by start.")
         homeward = [(leg.start_s, leg.robot) for leg in schedule.returns]
-        if homeward != sorted(homeward):
-            yield Fault(f"the ways home of schedule {schedule.rank} are not listed by start.")
+        visits = [(visit.start_s, visit.robot) for visit in schedule.recharges]
+        for what, listed in (("ways home", homeward), ("visits to chargers", visits)):
+            if listed != sorted(listed):
+                yield Fault(f"the {what} of schedule {schedule.rank} are not listed by start.")

@@ -1,4 +1,4 @@
-"""What robots travel for their own sake, not for an action, told from where they are: their ways home."""
+"""What robots travel for their own sake, not for an action, told from where they are: to chargers, and home."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from missiontree.checking.case import Case
 from missiontree.checking.clock import tick
-from missiontree.checking.journeys import Spot, final_stands, start_spot
+from missiontree.checking.journeys import Spot, final_stands, start_spot, visits
 from missiontree.checking.timetable import Timetable
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.schedule import OwnLeg
@@ -41,6 +41,10 @@ class Run(NamedTuple):
 
 def errands(case: Case, timetable: Timetable) -> Iterator[Errand]:
     """Every errand of a schedule."""
+    for step in visits(case, timetable):
+        visit = step.visit
+        what = f"its way to the charger {visit.charger}"
+        yield Errand(visit.robot, what, step.origin, step.goal, step.free_from, tick(visit.start_s), visit.leg)
     if case.plan.brief.return_home:
         yield from returns(case, timetable)
 

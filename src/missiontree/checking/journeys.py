@@ -6,9 +6,11 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from missiontree.checking.case import Case
+from missiontree.checking.clock import tick
 from missiontree.checking.timetable import Deed, Timetable
 from missiontree.mission.fleet import Robot
 from missiontree.mission.position import Position
+from missiontree.mission.schedule import Recharge
 
 Spot = Position | None
 """A point in frame ``map``; None where it is not known."""
@@ -111,10 +113,31 @@ def final_stands(case: Case, timetable: Timetable) -> dict[str, Stand]:
     }
 
 
-def _steps(case: Case, timetable: Timetable, movements: Movements, robot: str) -> Iterator[Journey | Stand]:
-    """A robot's journeys in order of time, then where it ends."""
+class Visit(NamedTuple):
+    """A visit to a charger: where its robot is before and from when on it is free, in ticks, and where the charger is."""
+
+    visit: Recharge
+    origin: Spot
+    goal: Spot
+    free_from: int
+
+
+def visits(case: Case, timetable: Timetable) -> Iterator[Visit]:
+    """Every visit to a charger, robot by robot, in order of time."""
+    movements = Movements(case, timetable)
+    for robot in timetable.by_robot:
+        yield from (step for step in _steps(case, timetable, movements, robot) if isinstance(step, Visit))
+
+
+def _steps(case: Case, timetable: Timetable, movements: Movements, robot: str) -> Iterator[Journey | Visit | Stand]:
+    """A robot's journeys and its visits to chargers in order of time, then where it ends."""
     spot, free_from = start_spot(case, case.fleet.robots.get(robot)), 0
-    for deed in timetable.by_robot[robot]:
+    for deed in timetable.turns(robot):
+        if isinstance(deed, Recharge):
+            charger = case.scene.charger_spots.get(deed.charger)
+            yield Visit(deed, spot, charger, free_from)
+            spot, free_from = charger, max(free_from, tick(deed.end_s))
+            continue
         if deed.action.at is not None or deed.action.moves:
             goals = movements.spots(deed.action.at, deed) if deed.action.at is not None else (None,)
             if deed.action.at is not None:

@@ -166,7 +166,7 @@ def schedule_not_empty(case: Case) -> Iterator[Fault]:
     """A schedule that is infeasible or unknown schedules something."""
     for schedule in case.plan.schedules:
         if schedule.status not in WORKING and (
-            schedule.actions or schedule.legs or schedule.returns or schedule.assignments
+            schedule.actions or schedule.legs or schedule.recharges or schedule.returns or schedule.assignments
         ):
             yield Fault(
                 f"schedule {schedule.rank} is {schedule.status} and still schedules {len(schedule.actions)} actions.",

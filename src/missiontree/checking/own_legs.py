@@ -25,7 +25,7 @@ def own_leg_missing(case: Case) -> Iterator[Fault]:
             gap = apart_m(errand.origin, errand.goal)
             if gap > NEAR_M:
                 yield Fault(
-                    f"schedule {timetable.schedule.rank}: {errand.robot} is {gap:g} m away and {errand.what} is not planned.",
+                    f"schedule {timetable.schedule.rank}: {errand.robot} is {gap:g} m away, and {errand.what} is not planned.",
                     robot=errand.robot,
                     found="no leg",
                     needed=f"a leg of at least {gap:g} m",

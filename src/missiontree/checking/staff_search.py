@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from missiontree.checking.budgets import beyond
 from missiontree.checking.case import Case
+from missiontree.checking.levels import allowance
 from missiontree.checking.staffing import Staffing
 from missiontree.mission.tree import APART
 
@@ -72,7 +73,7 @@ def _budget_conflict(staffing: Staffing, case: Case, robots: Mapping[int, str]) 
             for name, amount in staffing.actions[leaf].uses_at_least.items():
                 used[robot, name] += amount
                 totals[kind.id, name] += amount
-                left, whole = kind.budget(case.fleet.robots[robot], name), kind.total_limits.get(name)
+                left, whole = allowance(case, robot, name), kind.total_limits.get(name)
                 if left is not None and beyond(used[robot, name], left):
                     return f"{robot} would use more {name} than its {left:g}", role, robot
                 if whole is not None and beyond(totals[kind.id, name], whole):

@@ -48,6 +48,7 @@ def robot_away(case: Case) -> Iterator[Fault]:
     for timetable in case.timetables:
         spans = [(deed.robot, deed.start, deed.end) for deed in timetable.deeds.values()]
         spans += [(leg.robot, tick(leg.start_s), tick(leg.end_s)) for leg in timetable.schedule.ways]
+        spans += [(visit.robot, tick(visit.start_s), tick(visit.end_s)) for visit in timetable.schedule.recharges]
         for robot, start, end in spans:
             kind = case.fleet.type_of.get(robot)
             if kind is None:

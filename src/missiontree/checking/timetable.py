@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 from functools import cached_property
 from heapq import heappop, heappush
 from itertools import pairwise
@@ -11,7 +12,7 @@ from typing import NamedTuple
 from missiontree.checking.clock import tick
 from missiontree.checking.staffing import Staffing
 from missiontree.mission.grounded import Action, GroundedTree
-from missiontree.mission.schedule import Schedule, TravelLeg
+from missiontree.mission.schedule import Recharge, Schedule, TravelLeg
 from missiontree.mission.tree import IN_ORDER
 
 
@@ -82,6 +83,16 @@ class Timetable:
         for deed in sorted(self.deeds.values(), key=when):
             robots.setdefault(deed.robot, []).append(deed)
         return {robot: tuple(deeds) for robot, deeds in sorted(robots.items())}
+
+    def turns(self, robot: str) -> Iterator[Deed | Recharge]:
+        """What a robot does and its visits to chargers, in order of time."""
+        visits = [visit for visit in self.schedule.recharges if visit.robot == robot]
+        visits.sort(key=lambda visit: (visit.start_s, visit.end_s))
+        for deed in self.by_robot.get(robot, ()):
+            while visits and tick(visits[0].start_s) < deed.start:
+                yield visits.pop(0)
+            yield deed
+        yield from visits
 
     @cached_property
     def _held(self) -> dict[tuple[str, int], tuple[int, int]]:

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from missiontree.checking.budgets import beyond
 from missiontree.checking.case import Case
 from missiontree.checking.fault import Fault
+from missiontree.checking.levels import allowance
 from missiontree.checking.staffing import Staffing
 from missiontree.mission.limit_use import LimitUse
 
@@ -84,7 +85,7 @@ def _uses(case: Case, staffing: Staffing) -> dict[_Limit, tuple[float, float]]:
 
 def _of_robots(case: Case, by_robot: Mapping[tuple[str, str], float]) -> Iterator[tuple[_Limit, tuple[float, float]]]:
     for (robot, name), used in by_robot.items():
-        most = case.fleet.type_of[robot].budget(case.fleet.robots[robot], name)
+        most = allowance(case, robot, name)
         if most is not None:
             yield ("robot", robot, name), (used, most)
 
@@ -92,7 +93,7 @@ def _of_robots(case: Case, by_robot: Mapping[tuple[str, str], float]) -> Iterato
 def _added_up(case: Case, by_type: Mapping[tuple[str, str], float]) -> Iterator[tuple[_Limit, tuple[float, float]]]:
     """What robots have each, of as many as may be in use, those that have most."""
     for (type_id, name), used in by_type.items():
-        each = [case.fleet.by_id[type_id].budget(robot, name) for robot in case.at_hand(type_id)]
+        each = [allowance(case, robot.id, name) for robot in case.at_hand(type_id)]
         known = sorted((most for most in each if most is not None), reverse=True)
         if len(known) == len(each):
             yield ("robots", type_id, name), (used, sum(known[: case.most_in_use(type_id)]))

@@ -7,25 +7,15 @@ from __future__ import annotations
 
 DEADLINES = "deadlines and release times of entities and of single actions"
 WINDOWS = "time windows"
-RECHARGING = "recharging and chargers"
 SHARED = "capacities of roads, lifts, zones and entities"
 COMMANDS = "commands to real robots and what they report back"
 GATES = "optional tasks, rewards and gates other than 'and' and 'xor'"
 
 _WINDOWS = {"windows": WINDOWS, "window": WINDOWS}
 _TIMES = {"deadline_s": DEADLINES, "release_s": DEADLINES, **_WINDOWS}
-_ROBOTS = {
-    "recharge": RECHARGING,
-    "recharge_per_s": RECHARGING,
-    "charger": RECHARGING,
-    "chargers": RECHARGING,
-}
 _CAPACITY = {"capacity": SHARED}
 
 FIELDS: dict[str, dict[str, str]] = {
-    "Robot": _ROBOTS,
-    "RobotType": _ROBOTS,
-    "Scene": {"chargers": RECHARGING},
     "Entity": {**_TIMES, **_CAPACITY},
     "Lift": _CAPACITY,
     "Road": _CAPACITY,

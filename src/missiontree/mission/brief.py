@@ -8,6 +8,7 @@ from difflib import get_close_matches
 from functools import cached_property
 
 from missiontree.mission.aim import Accumulate, Aim
+from missiontree.mission.charger import check_full
 from missiontree.mission.entity import Entity
 from missiontree.mission.estimate import Weights
 from missiontree.mission.estimator_source import EstimatorSource
@@ -113,6 +114,10 @@ class MissionBrief(Value):
                         f"robot type {robot_type.id!r} may enter zone {zone!r}, which the scene does not have."
                     )
         self._check_type_names(world)
+        for charger in world.chargers:
+            for kind in self.fleet.types:
+                if charger.serves(kind.id):
+                    check_full(kind, charger)
         self._check_held(world)
         self._check_terms()
         if self.objective in WEIGHTED:
@@ -135,6 +140,7 @@ class MissionBrief(Value):
         restricted += [(f"road {road.ends[0]} - {road.ends[1]}", road.types) for road in (roads.roads if roads else ())]
         restricted += [(f"lift {lift.id}", lift.types) for lift in (roads.lifts if roads else ())]
         restricted += [(f"goal {goal.shown!r}", (*(goal.by or ()), *goal.not_by)) for goal in all_goals(self.goals)]
+        restricted += [(f"charger {charger.id}", charger.types) for charger in world.chargers]
         for what, types in restricted:
             for name in types or ():
                 if name not in self.fleet.by_id:
@@ -170,6 +176,7 @@ class MissionBrief(Value):
             stock=self.world.stock,
             by_estimator=self.estimator is not None,
             return_home=self.return_home,
+            chargers=self.world.chargers,
             home_by_s=self.deadline_s if self.return_home else None,
         )
 

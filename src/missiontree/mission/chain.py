@@ -20,13 +20,14 @@ Bond = Literal[
     "resource",
     "partner",
     "hand_over",
+    "refill",
     "until",
     "under_way",
     "release",
     "available",
     "unexplained",
 ]
-StepKind = Literal["action", "travel", "until", "under_way", "wait", "home"]
+StepKind = Literal["action", "travel", "until", "under_way", "wait", "home", "refill"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,8 +40,8 @@ class Step(Value):
     kind
         ``action``: a whole action. ``travel``: the way to one. ``until``: an open-ended action ends because the step before does;
         takes no time. ``under_way``: the millisecond that an open-ended action must be under way before the step before may
-        end. ``home``: the way home after an action. ``wait``: it is waited for a release time or for a robot that comes late, or
-        nothing in the schedule says why.
+        end. ``home``: the way home after an action. ``refill``: the way to a charger after an action, the wait for it, and the visit.
+        ``wait``: it is waited for a release time or for a robot that comes late, or nothing in the schedule says why.
     leaf
         The action, or the one travelled to or waited for, or after which the robot goes home.
     robot
@@ -51,7 +52,8 @@ class Step(Value):
         Why it does not start earlier: ``start`` of the mission; the step before it is what its ``role`` or its ``robot`` does
         before, the ``travel`` there, an action that comes first by ``order``, one that brings or needs the same ``entity``, one
         that held a shared ``resource``, one that its joint ``partner`` waits for, one that takes part in a ``hand_over``, or
-        what it lasts ``until``; or its ``release`` time; or that its robot is not ``available`` before; or ``unexplained``.
+        what it lasts ``until``; or its ``release`` time; or that its robot is not ``available`` before, or has to ``refill``
+        first; or ``unexplained``.
     """
 
     kind: StepKind
@@ -78,7 +80,7 @@ class CriticalChain(Value):
     travel_s
         Seconds of the chain in which somebody is on the way, to an action or as an action.
     waiting_s
-        Seconds of the chain in which nothing can be done yet: releases, robots that come late.
+        Seconds of the chain in which nothing can be done yet: releases, robots that come late or refill, on the way to chargers, too.
     steps
         In order of time; empty if nothing takes time.
     """

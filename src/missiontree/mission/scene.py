@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import Literal
 
 from missiontree.mission.area import KeepOut, Zone
+from missiontree.mission.charger import Charger
 from missiontree.mission.entity import Entity
 from missiontree.mission.position import Position
 from missiontree.mission.shared_resource import SharedResource
@@ -79,6 +80,9 @@ class Scene(Value):
     resources
         What robots share and only so many may hold at one time: lifts, doors, chargers. They are held during the actions that name
         them (``holds: [lift-1]``). Default: none.
+    chargers
+        Where robots refill what they use up. A stock that the robots of a type can refill at one of them is no budget that
+        allocation counts; schedules keep its level between nothing and full, the type's limit. Default: none.
     """
 
     label: str = ""
@@ -92,6 +96,7 @@ class Scene(Value):
     grid: OccupancyGrid | None = None
     stock: Mapping[Id, NonNegative] = field(default_factory=dict)
     resources: tuple[SharedResource, ...] = ()
+    chargers: tuple[Charger, ...] = ()
 
     def _check(self) -> None:
         places = tuple(replace(place, kind="place") if place.kind == "object" else place for place in self.places)
@@ -103,6 +108,9 @@ class Scene(Value):
         require_unique("keep-out", tuple(area.id for area in self.keep_outs))
         require_unique("frame", tuple(frame.id for frame in self.frames))
         require_unique("shared resource", tuple(resource.id for resource in self.resources))
+        require_unique("charger", tuple(charger.id for charger in self.chargers))
+        for charger in self.chargers:
+            self._check_charger(charger)
         for kind in self.kinds:
             self.base_kind(kind)
         for entity in self.all_entities:
@@ -121,6 +129,20 @@ class Scene(Value):
         for position in (entity.position, entity.last_seen):
             if position is not None:
                 self.in_map(position)
+
+    def _check_charger(self, charger: Charger) -> None:
+        if charger.id in {resource.id for resource in self.resources}:
+            raise ValueError(
+                f"{charger.id!r} is the name of a charger and of a shared resource; a charger has a capacity of its own."
+            )
+        if charger.position is not None:
+            self.in_map(charger.position)
+            return
+        place = self.by_id.get(charger.place or "")
+        if place is None or self.base_kind(place.kind) != "place" or place.position is None:
+            raise ValueError(
+                f"charger {charger.id!r} stands at {charger.place!r}, which is no place of the scene with a position."
+            )
 
     def _check_roads(self) -> None:
         if self.roads is None:
@@ -155,6 +177,16 @@ class Scene(Value):
     def shared(self) -> dict[str, SharedResource]:
         """Shared resources by id."""
         return {resource.id: resource for resource in self.resources}
+
+    @cached_property
+    def charger_spots(self) -> dict[str, Position]:
+        """Where chargers stand, in ``map``, by id."""
+        found = {}
+        for charger in self.chargers:
+            position = charger.position or self.by_id[charger.place or ""].position
+            assert position is not None  # checked at birth
+            found[charger.id] = self.in_map(position)
+        return found
 
     @cached_property
     def road_points(self) -> dict[str, Position]:

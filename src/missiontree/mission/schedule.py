@@ -9,7 +9,7 @@ from missiontree.mission.alternative import Assignment
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
-from missiontree.mission.value import Count, Id, Index, NonNegative, Value
+from missiontree.mission.value import Count, Id, Index, NonNegative, Positive, Value
 
 ScheduleStatus = Literal["optimal", "feasible", "infeasible", "unknown"]
 
@@ -73,7 +73,7 @@ class TravelLeg(Value):
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OwnLeg(Value):
     """
-    A robot on its way for its own sake, not for an action: home, after its last action.
+    A robot on its way for its own sake, not for an action: to a charger, or home after its last action.
 
     Parameters
     ----------
@@ -102,6 +102,37 @@ class OwnLeg(Value):
             raise ValueError(f"the way of {self.robot} ends at {self.end_s} s, before it starts at {self.start_s} s.")
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Recharge(Value):
+    """
+    A robot at a charger, between two of its roles, or before it goes home.
+
+    Parameters
+    ----------
+    robot
+        Robot that refills.
+    charger
+        Charger of the scene.
+    start_s, end_s
+        From when to when it refills; the second is later.
+    amount
+        How much of the charger's stock it takes in, above 0.
+    leg
+        The way there; None if the robot is there already.
+    """
+
+    robot: Id
+    charger: Id
+    start_s: NonNegative
+    end_s: NonNegative
+    amount: Positive
+    leg: OwnLeg | None = None
+
+    def _check(self) -> None:
+        if self.end_s <= self.start_s:
+            raise ValueError(f"{self.robot} refills at {self.charger} from {self.start_s} s to {self.end_s} s.")
+
+
 Leg = TravelLeg | OwnLeg
 """A way that a robot travels, whatever for."""
 
@@ -126,6 +157,8 @@ class Schedule(Value):
         Every selected action, by start, then by leaf.
     legs
         Travel, by start, then by leaf, then by robot.
+    recharges
+        Visits to chargers, by start, then by robot.
     returns
         Where robots return: the ways home, by start, then by robot. A robot that ends where it started has none.
     makespan_s
@@ -142,6 +175,7 @@ class Schedule(Value):
     assignments: tuple[Assignment, ...] = ()
     actions: tuple[ScheduledAction, ...] = ()
     legs: tuple[TravelLeg, ...] = ()
+    recharges: tuple[Recharge, ...] = ()
     returns: tuple[OwnLeg, ...] = ()
     makespan_s: NonNegative = 0.0
     assumptions: tuple[Reason, ...] = ()
@@ -150,4 +184,5 @@ class Schedule(Value):
     @property
     def ways(self) -> tuple[Leg, ...]:
         """Every way that is travelled, whatever for."""
-        return (*self.legs, *self.returns)
+        to_chargers = (recharge.leg for recharge in self.recharges if recharge.leg is not None)
+        return (*self.legs, *to_chargers, *self.returns)

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 
+from missiontree.mission.charger import Charger
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.frozen_map import FrozenMap
 
@@ -34,6 +35,8 @@ class Terms:
         Whether each robot that takes part goes back to where it started, after its last action.
     home_by_s
         By when all of them must be back, in seconds; None (default) means no such deadline.
+    chargers
+        Where robots refill what they use up. Default: nowhere.
     """
 
     without: tuple[str, ...] = ()
@@ -43,6 +46,7 @@ class Terms:
     by_estimator: bool = False
     return_home: bool = False
     home_by_s: float | None = None
+    chargers: tuple[Charger, ...] = ()
 
     def team_of(self, fleet: Fleet) -> Fleet:
         """
@@ -79,6 +83,11 @@ class Terms:
     def required_robots(self, fleet: Fleet) -> tuple[str, ...]:
         """Robots that must take part, by name."""
         return tuple(name for name in self.require if name not in fleet.by_id)
+
+    def refilled(self, kind: RobotType) -> frozenset[str]:
+        """Limits of a type that its robots can refill, so that they are no budgets."""
+        stocks = {charger.stock for charger in self.chargers if charger.serves(kind.id)}
+        return frozenset(stocks & kind.limits.keys())
 
     @property
     def judged_by_estimator(self) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from missiontree.mission.reason import Reason
 from missiontree.rechecking.facts import Facts, broken
+from missiontree.rechecking.refilling import can_refill
 
 LITTLE = 1e-6
 Used = dict[str, dict[str, list[float]]]  # robot → budget → amounts
@@ -63,7 +64,7 @@ def _within(facts: Facts, used: Used) -> Iterator[Reason]:
             continue
         for name, several in amounts.items():
             limit = fleet.type_of[robot].budget(fleet.robots[robot], name)
-            if limit is not None:
+            if limit is not None and name not in can_refill(facts, fleet.type_of[robot].id):
                 yield from _over(robot, name, several, limit, "core_budget", robot)
     for kind in fleet.types:
         for name, limit in kind.total_limits.items():

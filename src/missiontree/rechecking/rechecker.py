@@ -14,6 +14,7 @@ from missiontree.rechecking import (
     home,
     options,
     parts,
+    refilling,
     selection,
     sharing,
     staffing,
@@ -44,6 +45,7 @@ TIMED = (
     *travel.TRAVEL_RULES,
     sharing.shared_resources,
     *home.HOME_RULES,
+    *refilling.REFILL_RULES,
     amounts.scheduled_amounts,
     claims.bound_of_the_schedule,
 )
@@ -63,6 +65,7 @@ CORE_RULES = {
     "core_holding": "a robot takes one role at a time",
     "core_home": "where robots return, who did something goes home after it, in time and no faster than it is",
     "core_joint": "joint actions start and end together",
+    "core_level": "of what it can refill a robot has no less than nothing, and no more than it holds",
     "core_makespan": "the makespan is the latest end",
     "core_max_in_use": "no more robots of a type take part than may",
     "core_min_quality": "every action is as good as the mission asks",
@@ -72,6 +75,7 @@ CORE_RULES = {
     "core_precedence": "what comes first ends before what comes after starts",
     "core_quality": "an action has the quality of its type",
     "core_ranks": "the better alternative stands first, and teams differ where they are to",
+    "core_refill": "robots refill between roles, at chargers that serve them, have room, and give no more than they can",
     "core_release": "nothing starts before its release",
     "core_require": "who must take part does",
     "core_same_robot": "nodes for one robot are done by one robot",
@@ -117,7 +121,7 @@ def recheck(plan: Plan) -> list[Reason]:
     for alternative in alternatives:
         schedule = next((one for one in plan.schedules if one.rank == alternative.rank), None)
         if schedule is not None and schedule.status in {"infeasible", "unknown"}:
-            if schedule.actions or schedule.legs or schedule.returns or schedule.assignments:
+            if schedule.actions or schedule.legs or schedule.recharges or schedule.returns or schedule.assignments:
                 found.append(broken("core_schedules", f"the schedule of rank {alternative.rank} says there is none."))
             schedule = None
         facts = Facts(plan.brief, plan.tree, plan.grounding.tree, alternative, schedule, ways)

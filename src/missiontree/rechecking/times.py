@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from missiontree.mission.reason import Reason
-from missiontree.mission.schedule import Leg, ScheduledAction
+from missiontree.mission.schedule import Leg, Recharge, ScheduledAction
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
 
 GRAIN = 1e-3  # of a millisecond; what a number of seconds loses in binary is far less
@@ -30,7 +30,11 @@ def on_the_grid(facts: Facts) -> Iterator[Reason]:
     """Times are whole milliseconds."""
     if facts.schedule is None:
         return
-    timed: list[ScheduledAction | Leg] = [*facts.schedule.actions, *facts.schedule.ways]
+    timed: list[ScheduledAction | Leg | Recharge] = [
+        *facts.schedule.actions,
+        *facts.schedule.ways,
+        *facts.schedule.recharges,
+    ]
     for one in timed:
         for time_s in (one.start_s, one.end_s):
             if abs(time_s * 1000 - round(time_s * 1000)) > GRAIN:

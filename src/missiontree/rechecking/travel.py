@@ -31,7 +31,12 @@ def robots_come_from_where_they_were(facts: Facts) -> Iterator[Reason]:
     for robot, roles in facts.roles_of_robot.items():
         here = start_of(facts, robot)
         free_ms = 0
+        visits = [one for one in facts.schedule.recharges if one.robot == robot] if facts.schedule is not None else []
+        visits.sort(key=lambda one: (one.start_s, one.end_s))
         for leaf in [leaf for role in roles for leaf in facts.leaves_of_role[role]]:
+            while visits and milliseconds(visits[0].start_s) < facts.start_ms[leaf]:
+                visit = visits.pop(0)
+                here, free_ms = facts.world.charger_spots.get(visit.charger), milliseconds(visit.end_s)
             action = facts.leaves[leaf]
             there = place_at(facts, action.at, facts.start_ms[leaf])
             leg = legs.get(leaf)

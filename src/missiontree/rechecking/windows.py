@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from missiontree.mission.reason import Reason
-from missiontree.mission.schedule import Leg, ScheduledAction
+from missiontree.mission.schedule import Leg, Recharge, ScheduledAction
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
 
 
@@ -36,7 +36,11 @@ def robots_are_there(facts: Facts) -> Iterator[Reason]:
     """No robot travels or acts before it takes part, or after that; its own times go before those of its type."""
     if facts.schedule is None:
         return
-    busy: list[ScheduledAction | Leg] = [*facts.schedule.actions, *facts.schedule.ways]
+    busy: list[ScheduledAction | Leg | Recharge] = [
+        *facts.schedule.actions,
+        *facts.schedule.ways,
+        *facts.schedule.recharges,
+    ]
     for one in busy:
         kind, robot = facts.brief.fleet.type_of.get(one.robot), facts.brief.fleet.robots.get(one.robot)
         if kind is None or robot is None:

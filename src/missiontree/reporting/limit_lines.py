@@ -25,4 +25,5 @@ def limit_lines(limits: Sequence[LimitUse]) -> Iterator[str]:
 
 def _of(limit: LimitUse) -> str:
     lead = "at least " if limit.at_least else ""
-    return f"{limit.who} {lead}{limit.used:,.6g} of {limit.allowed:,.6g}"
+    refilled = f" ({limit.refilled:,.6g} of them refilled)" if limit.refilled else ""
+    return f"{limit.who} {lead}{limit.used:,.6g} of {limit.allowed:,.6g}{refilled}"

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from missiontree.estimation.travel import Blocked
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.reason import Reason
+from missiontree.scheduling.chargers import NO_CHARGERS, Chargers
 from missiontree.scheduling.impossible import TOLERANCE, least_use
 from missiontree.scheduling.places import Places, Spots
 from missiontree.scheduling.precedence import TaskGraph
@@ -30,11 +31,13 @@ class _Lack:
     needed: float
 
 
-def approaches_too_dear(graph: TaskGraph, places: Places, trips: Trips, returning: bool = False) -> list[Reason]:
+def approaches_too_dear(
+    graph: TaskGraph, places: Places, trips: Trips, returning: bool = False, chargers: Chargers = NO_CHARGERS
+) -> list[Reason]:
     """
     Roles whose first place is so far from every robot of the type that what it has does not last for the way and the role.
 
-    Where robots return, so does the way home count, from the role's last place.
+    Where robots return, so does the way home count, from the role's last place. What robots can refill is left out.
     """
     if trips.scene.roads is not None and trips.scene.roads.lifts:
         return []
@@ -47,9 +50,10 @@ def approaches_too_dear(graph: TaskGraph, places: Places, trips: Trips, returnin
         kind = trips.fleet.by_id[graph.tree.action(leaves[0]).robot_type]
         if first is None or kind.id in lost or not kind.uses_per_m:
             continue
+        refilled = chargers.of(kind)
         if kind.id not in stands:
-            stands[kind.id] = _stands(kind, trips)
-        need = _need(graph, leaves)
+            stands[kind.id] = _stands(kind, trips, refilled)
+        need = {name: amount for name, amount in _need(graph, leaves).items() if name not in refilled}
         last = next(leaf for leaf in reversed(leaves) if graph.tree.action(leaf).at is not None)
         ends = places.of[last] if returning else _NOWHERE
         key = kind.id, places.of[first], ends, tuple(sorted(need.items()))
@@ -75,13 +79,14 @@ def may_get_lost(graph: TaskGraph, places: Places) -> set[str]:
     }
 
 
-def _stands(kind: RobotType, trips: Trips) -> Stands:
+def _stands(kind: RobotType, trips: Trips, refilled: Collection[str]) -> Stands:
     """Where the robots of a type start and what they have of what ways use; robots that are alike once."""
     found: dict[object, tuple[Spot, Mapping[str, float]]] = {}
     for robot, start in zip(kind.members, trips.starts(kind.id), strict=True):
         key = start, robot.remaining
         if key not in found:
-            found[key] = start, {**kind.limits, **robot.remaining}
+            budgets = {**kind.limits, **robot.remaining}
+            found[key] = start, {name: amount for name, amount in budgets.items() if name not in refilled}
     return found.values()
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 
 from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.precedence import indegrees
-from missiontree.scheduling.problem import Done, Draft, Homeward, Problem, Rule
+from missiontree.scheduling.problem import Done, Draft, Homeward, Problem, Refill, Rule
 from missiontree.scheduling.room import Hold, room_for
 from missiontree.scheduling.world_state import RobotState, WorldState
 
@@ -45,6 +46,9 @@ class Board:
         self.held: dict[str, dict[int, Hold]] = {name: {} for name in problem.sharing.capacity}
         self.returns: list[Homeward] = []
         self.waiting: list[int] = []  # activities that end with a hand-over, and wait for their taker
+        self.refills: list[Refill] = []
+        self.plugged: dict[str, list[Hold]] = {}  # by charger: who refills there
+        self.open_roles = Counter(self.staffing.type_of[role] for role in self.graph.roles)  # not begun, by type
         self.metres = 0.0
 
     def actions(self, activity: int) -> list[tuple[int, Action]]:
@@ -142,4 +146,4 @@ class Board:
             if group in self.robot_of_group
         }
         makespan = max([*(one.end for one in done), *(one.end for one in self.returns)], default=0)
-        return Draft(done, robot_of, makespan, self.metres, reasons, self.returns)
+        return Draft(done, robot_of, makespan, self.metres, reasons, self.returns, self.refills)

@@ -19,6 +19,7 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
 from missiontree.mission.position import Position
 from missiontree.mission.ticks import ticks
+from missiontree.scheduling.chargers import NO_CHARGERS, Chargers
 from missiontree.scheduling.entries import least_entries
 from missiontree.scheduling.load import holding_bound, load_bound, pieces_of
 from missiontree.scheduling.places import Places, Spots
@@ -82,6 +83,7 @@ def lower_bounds(
     trips: Trips,
     sharing: Sharing = NOTHING_SHARED,
     returning: bool = False,
+    chargers: Chargers = NO_CHARGERS,
 ) -> Bounds:
     """
     Bounds of one alternative.
@@ -100,6 +102,8 @@ def lower_bounds(
         Shared resources and who holds them. Default: none.
     returning
         Whether the mission lasts until every robot that takes part is home. Default false.
+    chargers
+        Where robots may be beside. That they refill costs no time here. Default: nowhere.
     """
     travel = _Travel(graph, staffing, places, fleet, trips)
     duration = [_least_duration(graph, activity, travel) for activity in range(len(graph.activities))]
@@ -108,7 +112,7 @@ def lower_bounds(
     homes = travel.homes(staffing) if returning else {}
     heads, tails = _longest_paths(graph, order, duration, lag, release, homes)
     path = max((head + tail for head, tail in zip(heads, tails, strict=True)), default=0)
-    entries = least_entries(graph, staffing, places, trips)
+    entries = least_entries(graph, staffing, places, trips, chargers)
     plain = pieces_of(graph, staffing, duration, lag, heads, tails)
     entered = pieces_of(graph, staffing, duration, lag, heads, tails, entries) if entries else []
     load = max(load_bound(plain, fleet), load_bound(entered, fleet))

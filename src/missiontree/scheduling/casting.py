@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from missiontree.scheduling.board import Board
-from missiontree.scheduling.demand import Demands, lasts
+from missiontree.scheduling.chargers import NOBODY
+from missiontree.scheduling.demand import Demand, Demands, lasts
+from missiontree.scheduling.detours import Detours, Stance
 from missiontree.scheduling.impossible import TOLERANCE
 from missiontree.scheduling.matching import match
 from missiontree.scheduling.pool import Pool
 from missiontree.scheduling.world_state import RobotState
 
-_Ranked = tuple[int, int, float, int, RobotState]
+_Ranked = tuple[bool, int, int, float, int, RobotState]
 
 
 class Casting:
@@ -20,12 +23,12 @@ class Casting:
 
     Parameters
     ----------
-    board, pool, demands
-        The run, its robots, and what roles ask of them.
+    board, pool, demands, detours
+        The run, its robots, what roles ask of them, and where they refill before.
     """
 
-    def __init__(self, board: Board, pool: Pool, demands: Demands) -> None:
-        self._board, self._pool, self._demands = board, pool, demands
+    def __init__(self, board: Board, pool: Pool, demands: Demands, detours: Detours) -> None:
+        self._board, self._pool, self._demands, self._detours = board, pool, demands, detours
         self.looked = 0  # robots looked at: what a run costs, whatever the machine
         self._usable = {kind.id: kind.usable for kind in board.problem.fleet.types if kind.usable < len(kind.members)}
         self._in_use = dict.fromkeys(self._usable, 0)
@@ -57,13 +60,14 @@ class Casting:
         self._pool.use(robot)
 
     def _candidates(self, role: int, ready: int, alone: bool = False) -> list[_Ranked]:
-        """Free robots that may fill a role, and how well: by begin, idleness, way, and number, which is unique."""
+        """Free robots that may fill a role, and how well: by whether they are stranded then, begin, idleness, way, and number."""
         board, demands = self._board, self._demands
         group, bound, crew = board.staffing.group_of[role], board.bound(role), board.crew_of[role]
         avoids = board.staffing.avoids[group] if group not in board.robot_of_group else frozenset()
         moves = board.graph.tree.action(board.graph.roles[role][0]).moves
         type_id = board.staffing.type_of[role]
         pooled, known = (board.totals[type_id], board.shared), demands.of(role)
+        refilled = board.problem.chargers.refilled.get(type_id, NOBODY)
         beginners = None if bound is not None else self._beginners(type_id, alone)
         ranked: list[_Ranked] = []
         for robot in self._pool.robots(type_id, self._together(role)) if bound is None else [bound]:
@@ -76,16 +80,34 @@ class Casting:
                 continue
             if robot.stand not in known:
                 known[robot.stand] = demands.ask(role, robot.spot)
-            demand = known[robot.stand]
+            demand, free_at, stranded = known[robot.stand], robot.free_at, False
+            if refilled and demand is not None:
+                stance = self._detours.before_role(role, robot)
+                if stance is None and bound is None:
+                    continue
+                if stance is not None:
+                    demand, free_at, stranded = self._from(role, stance), stance.free_at, stance.stranded
             if demand is not None and board.problem.returning:
                 demand = demands.home(demand, robot)
-            if demand is None or (bound is None and demand.needs and not lasts(demand, robot, pooled, TOLERANCE)):
+            if demand is None or (
+                bound is None and demand.needs and not lasts(demand, robot, pooled, TOLERANCE, refilled)
+            ):
                 continue
-            begin = max(ready, robot.free_at) + demand.way if moves else max(ready, robot.free_at + demand.way)
+            begin = max(ready, free_at) + demand.way if moves else max(ready, free_at + demand.way)
             if robot.until is not None and begin + board.problem.holds[role] + demand.after > robot.until:
                 continue
-            ranked.append((begin, -robot.free_at, demand.metres, robot.index, robot))
+            ranked.append((stranded, begin, -robot.free_at, demand.metres, robot.index, robot))
         return ranked
+
+    def _from(self, role: int, stance: Stance) -> Demand | None:
+        """What a role asks of a robot that sets out after a detour, the detour's own metres included."""
+        demand = self._detours.demand(role, stance.spot)
+        if demand is None or not stance.refills:
+            return demand
+        metres = sum(one.trip.metres for one in stance.refills)
+        per_m = self._board.problem.fleet.by_id[self._board.staffing.type_of[role]].uses_per_m
+        needs = {name: amount + per_m.get(name, 0.0) * metres for name, amount in demand.needs.items()}
+        return replace(demand, needs=needs, metres=demand.metres + metres)
 
     def _beginners(self, type_id: str, alone: bool) -> set[str] | None:
         """Robots that have done nothing yet and may begin; None if all may. ``alone``: one of them will be taken, else several."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from missiontree.estimation.travel import Blocked
@@ -29,6 +29,8 @@ class Demand:
         Where the role leaves the robot, if everything that it does not move itself stays where it is.
     after
         Ticks of the way home after it, if that is part of it.
+    levels
+        What the role alone uses of what robots of its type can refill.
     """
 
     way: int
@@ -36,6 +38,7 @@ class Demand:
     needs: Mapping[str, float] = field(default_factory=dict)
     ends: Spot = None
     after: int = 0
+    levels: Mapping[str, float] = field(default_factory=dict)
 
 
 class Demands:
@@ -61,7 +64,10 @@ class Demands:
             }
             for kind in fleet.types
         }
-        self._asks_walk = {kind.id: bool(kind.uses_per_m) or board.problem.returning for kind in fleet.types}
+        self._asks_walk = {
+            kind.id: bool(kind.uses_per_m) or board.problem.returning or kind.id in board.problem.chargers.stations
+            for kind in fleet.types
+        }
         self._found: dict[int, dict[int, Demand | None]] = {}
         self._moves = 0
 
@@ -79,7 +85,8 @@ class Demands:
             return None
         way, metres = (0, 0.0) if trip is None else (trip.ticks, trip.metres)
         whole_m, ends = self._walk(spot, role) if self._asks_walk[self._board.staffing.type_of[role]] else (0.0, spot)
-        return Demand(way, metres, self._needs(role, max(whole_m, metres)), ends)
+        whole_m = max(whole_m, metres)
+        return Demand(way, metres, self._needs(role, whole_m), ends, levels=self._levels(role, whole_m))
 
     def home(self, demand: Demand, robot: RobotState) -> Demand | None:
         """A demand with the way home after it; None if there is none."""
@@ -90,7 +97,7 @@ class Demands:
         for name, amount in self._per_m[robot.type_id].items():
             if name in self._limited[robot.type_id]:
                 needs[name] = needs.get(name, 0.0) + amount * trip.metres
-        return Demand(demand.way, demand.metres, needs, robot.home, trip.ticks)
+        return Demand(demand.way, demand.metres, needs, robot.home, trip.ticks, demand.levels)
 
     def trip(self, spot: Spot, action: Action) -> Trip | Blocked | None:
         """The way to an action; None if it can be done anywhere."""
@@ -111,6 +118,12 @@ class Demands:
             for name, amount in self._per_m[type_id].items():
                 needs[name] = max(needs.get(name, 0.0), uses.get(name, 0.0) + amount * metres)
         return {name: amount for name, amount in needs.items() if name in self._limited[type_id]}
+
+    def _levels(self, role: int, metres: float) -> dict[str, float]:
+        type_id = self._board.staffing.type_of[role]
+        names = self._board.problem.chargers.refilled.get(type_id, ())
+        uses, per_m = (self._uses_of(role), self._per_m[type_id]) if names else ({}, {})
+        return {name: uses.get(name, 0.0) + per_m.get(name, 0.0) * metres for name in sorted(names)}
 
     def _uses_of(self, role: int) -> dict[str, float]:
         uses: dict[str, float] = {}
@@ -134,10 +147,20 @@ class Demands:
         return metres, here
 
 
-def lasts(demand: Demand, robot: RobotState, pooled: Sequence[Mapping[str, float]], slack: float) -> bool:
-    """Whether the robot's budgets, and those it shares with others, last for a demand; what is not limited always does."""
+def lasts(
+    demand: Demand,
+    robot: RobotState,
+    pooled: Sequence[Mapping[str, float]],
+    slack: float,
+    refilled: Collection[str] = (),
+) -> bool:
+    """
+    Whether the robot's budgets, and those it shares with others, last for a demand; what is not limited always does.
+
+    What the robot can refill (``refilled``) is no budget of its own.
+    """
     return all(
         amount <= left.get(name, amount) + slack
         for name, amount in demand.needs.items()
-        for left in (robot.left, *pooled)
+        for left in ((robot.left, *pooled) if name not in refilled else pooled)
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from missiontree.estimation.travel import Blocked
+from missiontree.scheduling.chargers import NO_CHARGERS, Chargers
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
@@ -13,12 +14,14 @@ from missiontree.scheduling.trips import Spot, Trips
 _MANY = 48  # spots of a type beyond which travel is bounded by nothing; keeps bounds cheaper than schedules
 
 
-def least_entries(graph: TaskGraph, staffing: Staffing, places: Places, trips: Trips) -> dict[int, int]:
+def least_entries(
+    graph: TaskGraph, staffing: Staffing, places: Places, trips: Trips, chargers: Chargers = NO_CHARGERS
+) -> dict[int, int]:
     """
     Ticks of travel that each role costs its robot at least, from wherever the robot is before; roles with 0 are left out.
 
-    A robot is where it starts or where some role of its type took it. So a place that is no start, and that only one role visits, is
-    entered by a leg from another spot. Where a start or a spot may be unknown, nothing is counted.
+    A robot is where it starts, at a charger, or where some role of its type took it. So a place that is no start and no charger, and
+    that only one role visits, is entered by a leg from another spot. Where a start or a spot may be unknown, nothing is counted.
     """
     by_type: dict[str, list[int]] = {}
     for role in graph.roles:
@@ -26,7 +29,7 @@ def least_entries(graph: TaskGraph, staffing: Staffing, places: Places, trips: T
     found: dict[int, int] = {}
     for type_id, roles in by_type.items():
         spots = {role: _visited(graph, role, places) for role in roles}
-        starts = set(trips.starts(type_id))
+        starts = {*trips.starts(type_id), *(station.spot for station in chargers.stations.get(type_id, ()))}
         everywhere = starts.union(*spots.values())
         if None in everywhere or len(everywhere) > _MANY:
             continue

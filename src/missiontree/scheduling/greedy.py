@@ -24,6 +24,7 @@ from missiontree.scheduling.approach_budget import approaches_too_dear
 from missiontree.scheduling.availability import away, gone_before, least_holds, some_leave
 from missiontree.scheduling.bounds import lower_bounds
 from missiontree.scheduling.bundles import bundles_of, crews_of
+from missiontree.scheduling.chargers import chargers_of
 from missiontree.scheduling.deadlines import Late, deadlines_missed, deadlines_out_of_reach
 from missiontree.scheduling.enumeration.proving import tried_out
 from missiontree.scheduling.hand_overs import HandOvers, hand_overs_of
@@ -37,6 +38,7 @@ from missiontree.scheduling.overlap import overlaps_of_one_robot
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import task_graph
 from missiontree.scheduling.problem import Draft, Problem
+from missiontree.scheduling.recharging import never_enough
 from missiontree.scheduling.rules import rules
 from missiontree.scheduling.serial import Run
 from missiontree.scheduling.sharing import order_open_ended, sharing_of, too_crowded
@@ -106,12 +108,17 @@ def read_problem(
     back = never_home(graph, places, trips) if terms.return_home else []
     if reasons := [*unreachable_places(graph, places, fleet, trips), *back]:
         return "reachability", reasons
-    needs, shared = group_needs(graph, staffing), shared_by_all(fleet, terms)
-    too_much = [*budgets_exceeded(graph, staffing, fleet), *shared_exceeded(needs, shared)]
-    if reasons := [*too_much, *approaches_too_dear(graph, places, trips, terms.return_home)]:
+    needs, shared, chargers = (
+        group_needs(graph, staffing),
+        shared_by_all(fleet, terms),
+        chargers_of(fleet, scene, terms),
+    )
+    too_much = [*budgets_exceeded(graph, staffing, fleet, chargers), *shared_exceeded(needs, shared)]
+    too_much += never_enough(graph, places, trips, chargers, terms.return_home)
+    if reasons := [*too_much, *approaches_too_dear(graph, places, trips, terms.return_home, chargers)]:
         return "budget_bound", reasons
     returning, home_by = terms.return_home, None if terms.home_by_s is None else ticks_within(terms.home_by_s)
-    bounds = lower_bounds(graph, order, staffing, places, fleet, trips, sharing, returning)
+    bounds = lower_bounds(graph, order, staffing, places, fleet, trips, sharing, returning, chargers)
     late = [*deadlines_out_of_reach(graph, staffing, bounds, fleet), *gone_before(graph, bounds, fleet)]
     if reasons := late or home_too_late(bounds, home_by):
         return "deadline_bound", reasons
@@ -137,6 +144,7 @@ def read_problem(
         returning,
         home_by,
         hand_overs,
+        chargers,
     )
 
 

@@ -9,6 +9,7 @@ from missiontree.scheduling.approach_budget import may_get_lost
 from missiontree.scheduling.board import Board
 from missiontree.scheduling.bounds import Bounds
 from missiontree.scheduling.charging import spend
+from missiontree.scheduling.detours import Detours
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.problem import Homeward
@@ -18,7 +19,7 @@ from missiontree.scheduling.trips import Trips
 RULE = "no_way_home"
 
 
-def go_home(board: Board) -> None:
+def go_home(board: Board, detours: Detours) -> None:
     """
     Take every robot that has done something home, if the mission asks for it.
 
@@ -31,6 +32,8 @@ def go_home(board: Board) -> None:
         return
     for name in sorted({one.robot for one in board.done.values()}):
         robot = board.world.robots[name]
+        if detours.refills(robot.type_id) and (stance := detours.before_home(robot)) is not None:
+            detours.visit(robot, stance.refills)
         trip = board.problem.trips.approach(robot.type_id, robot.spot, robot.home)
         if isinstance(trip, Blocked):
             raise StuckError(_blocked(f"{name} ends where no way leads home", trip, name))

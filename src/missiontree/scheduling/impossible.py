@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from missiontree.estimation.travel import Blocked
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
+from missiontree.scheduling.chargers import NO_CHARGERS, Chargers
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
@@ -82,25 +83,31 @@ def group_needs(graph: TaskGraph, staffing: Staffing) -> dict[int, dict[str, flo
     return needs
 
 
-def budgets_exceeded(graph: TaskGraph, staffing: Staffing, fleet: Fleet) -> list[Reason]:
-    """Budgets that are too small even if every approach costs nothing."""
+def budgets_exceeded(
+    graph: TaskGraph, staffing: Staffing, fleet: Fleet, chargers: Chargers = NO_CHARGERS
+) -> list[Reason]:
+    """Budgets that are too small even if every approach costs nothing; what robots refill is none."""
     needs = group_needs(graph, staffing)
     by_type: dict[str, list[tuple[str, dict[str, float]]]] = {}
     for group, need in needs.items():
         by_type.setdefault(staffing.type_of[group], []).append((graph.tree.roles[group].label, need))
-    return [reason for type_id, groups in by_type.items() for reason in _over(fleet.by_id[type_id], groups)]
+    return [
+        reason
+        for type_id, groups in by_type.items()
+        for reason in _over(fleet.by_id[type_id], groups, chargers.of(fleet.by_id[type_id]))
+    ]
 
 
-def _over(kind: RobotType, groups: list[tuple[str, dict[str, float]]]) -> Iterator[Reason]:
+def _over(kind: RobotType, groups: list[tuple[str, dict[str, float]]], refilled: Collection[str]) -> Iterator[Reason]:
     total: dict[str, float] = {}
     for label, need in groups:
         for name, amount in need.items():
             total[name] = total.get(name, 0.0) + amount
-            budgets = _budgets(kind, name)
+            budgets = None if name in refilled else _budgets(kind, name)
             if budgets is not None and amount > max(budgets) + TOLERANCE:
                 yield _budget_reason(kind, name, amount, max(budgets), label, f"{label!r} needs at least")
     for name, amount in total.items():
-        budgets = _budgets(kind, name)
+        budgets = None if name in refilled else _budgets(kind, name)
         if budgets is not None and amount > sum(budgets) + TOLERANCE:
             yield _budget_reason(kind, name, amount, sum(budgets), "", "Their roles together need at least")
         limit = kind.total_limits.get(name)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from missiontree.estimation.travel import Blocked
 from missiontree.mission.grounded import Action
@@ -11,6 +11,7 @@ from missiontree.mission.ticks import ticks
 from missiontree.scheduling.board import Board
 from missiontree.scheduling.casting import Casting
 from missiontree.scheduling.demand import Demands
+from missiontree.scheduling.detours import Detours, Stance
 from missiontree.scheduling.stuck import StuckError
 from missiontree.scheduling.trips import Trip
 from missiontree.scheduling.world_state import RobotState
@@ -29,11 +30,14 @@ class Offer:
         Who does it, by role.
     mates
         Robots taken at once for roles that begin later, by role.
+    stances
+        Where robots set out that go to a charger before, by role.
     """
 
     start: int
     robots: dict[int, RobotState]
     mates: dict[int, RobotState]
+    stances: dict[int, Stance] = field(default_factory=dict)
 
 
 def length(board: Board, activity: int, trips: Mapping[int, Trip | Blocked | None]) -> int:
@@ -52,12 +56,12 @@ class Placing:
 
     Parameters
     ----------
-    board, casting, demands
-        The run, who may be taken, and the ways.
+    board, casting, demands, detours
+        The run, who may be taken, the ways, and where robots refill before.
     """
 
-    def __init__(self, board: Board, casting: Casting, demands: Demands) -> None:
-        self._board, self._casting, self._demands = board, casting, demands
+    def __init__(self, board: Board, casting: Casting, demands: Demands, detours: Detours) -> None:
+        self._board, self._casting, self._demands, self._detours = board, casting, demands, detours
 
     def offer(self, activity: int) -> Offer | None:
         """The earliest start with robots that are free; None if a robot, a thing or a shared resource is held nobody knows how long."""
@@ -79,11 +83,14 @@ class Placing:
             if board.begun[action.role]
         }
         robots |= {role: chosen[role] for role in opening}
+        stances = self._stances({role: robots[role] for role in opening})
         start = ready
         for _, action in actions:
-            start = max(start, self._arrival(robots[action.role], action, ready), board.world.not_before(action))
+            arrival = self._arrival(robots[action.role], action, ready, stances.get(action.role))
+            start = max(start, arrival, board.world.not_before(action))
         if activity in board.least_end or activity in board.problem.sharing.demand:
-            trips = {leaf: self._demands.trip(robots[action.role].spot, action) for leaf, action in actions}
+            spots = {role: stances[role].spot if role in stances else robot.spot for role, robot in robots.items()}
+            trips = {leaf: self._demands.trip(spots[action.role], action) for leaf, action in actions}
             lasts = length(board, activity, trips)
             start = max(start, board.least_end.get(activity, 0) - lasts)
             open_ended = activity in board.graph.until or activity in board.problem.hand_overs.taker
@@ -91,7 +98,18 @@ class Placing:
             if found is None:
                 return None
             start = found
-        return Offer(start, robots, {role: chosen[role] for role in mates})
+        return Offer(start, robots, {role: chosen[role] for role in mates}, stances)
+
+    def _stances(self, opening: Mapping[int, RobotState]) -> dict[int, Stance]:
+        """Where robots set out that must refill before their roles, none in another's way."""
+        found: dict[int, Stance] = {}
+        for role, robot in opening.items():
+            if self._detours.refills(robot.type_id):
+                taken = [one for stance in found.values() for one in stance.refills]
+                stance = self._detours.before_role(role, robot, taken)
+                if stance is not None and stance.refills:
+                    found[role] = stance
+        return found
 
     def stand_in(self, activity: int, free: int) -> object | None:
         """A key that activities share if one's offer is the other's; None if this one's is its own. Robots are free from ``free``."""
@@ -101,14 +119,16 @@ class Placing:
             len(joint) > 1
             or activity in board.least_end
             or board.problem.leaving
+            or board.problem.chargers
             or (board.rule.crew != "none" and len(board.crews[board.crew_of[role]]) > 1)
         ):
             return None
         return board.problem.alike[role], max(board.time[2 * activity], free)
 
-    def _arrival(self, robot: RobotState, action: Action, ready: int) -> int:
+    def _arrival(self, robot: RobotState, action: Action, ready: int, stance: Stance | None) -> int:
         """When the robot can begin the action."""
-        trip = self._demands.trip(robot.spot, action)
+        spot, free_at = (robot.spot, robot.free_at) if stance is None else (stance.spot, stance.free_at)
+        trip = self._demands.trip(spot, action)
         if isinstance(trip, Blocked):
             raise StuckError(trip.reason)
-        return max(ready, robot.free_at + (trip.ticks if trip is not None and not action.moves else 0))
+        return max(ready, free_at + (trip.ticks if trip is not None and not action.moves else 0))

@@ -10,6 +10,7 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.bounds import Bounds
 from missiontree.scheduling.bundles import Bundles
+from missiontree.scheduling.chargers import NO_CHARGERS, Chargers, Station
 from missiontree.scheduling.hand_overs import NO_HAND_OVERS, HandOvers
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import TaskGraph
@@ -17,6 +18,7 @@ from missiontree.scheduling.sharing import NOTHING_SHARED, Sharing
 from missiontree.scheduling.staffing import Staffing
 from missiontree.scheduling.trips import Trip, Trips
 
+Filling = Literal["enough", "full"]
 Crew = Literal["joint", "bundle", "none"]
 
 
@@ -51,6 +53,8 @@ class Problem:
         Tick by which all of them must be home; None (default) means no such deadline.
     hand_overs
         Who hands over to whom. Default nobody.
+    chargers
+        Where robots refill what they use up. Default: nowhere.
     """
 
     graph: TaskGraph
@@ -71,6 +75,7 @@ class Problem:
     returning: bool = False
     home_by: int | None = None
     hand_overs: HandOvers = NO_HAND_OVERS
+    chargers: Chargers = NO_CHARGERS
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,12 +94,15 @@ class Rule:
         Ticks by which an activity is taken to be due earlier than it is.
     binding
         Robot of each group of roles, if it is fixed beforehand.
+    refill
+        How robots refill: ``enough`` (default) for what comes next, or until they are ``full``, and then always with a charger in reach.
     """
 
     crew: Crew = "joint"
     patience: int = 0
     jitter: Mapping[int, int] = field(default_factory=dict)
     binding: Mapping[int, str] = field(default_factory=dict)
+    refill: Filling = "enough"
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,6 +116,20 @@ class Done:
     trip: Trip | None = None
     leaves_at: int = 0
     arrives_at: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Refill:
+    """A robot's visit to a charger: its way there, from when to when it refills (ticks), and how much."""
+
+    robot: str
+    station: Station
+    trip: Trip
+    leaves_at: int
+    arrives_at: int
+    start: int
+    end: int
+    amount: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,6 +152,7 @@ class Draft:
     metres: float
     reasons: tuple[Reason, ...] = ()
     returns: list[Homeward] = field(default_factory=list)
+    refills: list[Refill] = field(default_factory=list)
 
     @property
     def value(self) -> tuple[int, float, int]:

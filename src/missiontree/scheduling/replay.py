@@ -17,6 +17,7 @@ from missiontree.scheduling.charging import charge
 from missiontree.scheduling.course import Course
 from missiontree.scheduling.deadlines import deadlines_missed
 from missiontree.scheduling.demand import Demands
+from missiontree.scheduling.detours import Detours
 from missiontree.scheduling.homing import go_home
 from missiontree.scheduling.meeting import apart
 from missiontree.scheduling.mission_terms import terms_broken
@@ -29,11 +30,21 @@ from missiontree.scheduling.trips import Trip
 
 
 def replay(problem: Problem, course: Course) -> Draft | None:
-    """The draft of a course; None if it contradicts itself, leads nowhere, uses more than there is, or comes too late."""
+    """
+    The draft of a course; None if it contradicts itself, leads nowhere, uses more than there is, or comes too late.
+
+    Where robots refill, the better of two: as much as is needed, or all they hold.
+    """
     if not _may_fill(problem, course):
         return None
+    rules = (Rule(), Rule(refill="full")) if problem.chargers else (Rule(),)
+    drafts = [draft for rule in rules if (draft := _played(problem, course, rule)) is not None]
+    return min(drafts, key=lambda draft: draft.value, default=None)
+
+
+def _played(problem: Problem, course: Course, rule: Rule) -> Draft | None:
     try:
-        draft = _Replay(problem, course).draft()
+        draft = _Replay(problem, course, rule).draft()
     except StuckError:
         return None
     if draft is None or apart(problem, draft) or terms_broken(problem, draft.robot_of) or away(problem, draft):
@@ -59,10 +70,16 @@ def _may_fill(problem: Problem, course: Course) -> bool:
 
 
 class _Replay:
-    def __init__(self, problem: Problem, course: Course) -> None:
+    def __init__(self, problem: Problem, course: Course, rule: Rule) -> None:
         self._graph = graph = problem.graph
-        self._board = board = Board(problem, Rule())
+        self._board = board = Board(problem, rule)
         self._demands = Demands(board)
+        self._detours = Detours(board, self._demands)
+        self._opens: dict[int, list[tuple[int, bool]]] = {}  # by activity: roles that begin, and whether more follows
+        for roles in course.tours.values():
+            for place, role in enumerate(roles):
+                first = graph.activity_of[graph.roles[role][0]]
+                self._opens.setdefault(first, []).append((role, place + 1 < len(roles)))
         for role, group in board.staffing.group_of.items():
             board.robot_of_group[group] = board.world.robots[course.robots[role]]
         self._later = [list(later) for later in graph.successors]
@@ -113,7 +130,7 @@ class _Replay:
                     heapq.heappush(ready, after)
         if seen < len(missing) or not self._room_kept():
             return None
-        go_home(board)
+        go_home(board, self._detours)
         return board.draft(())
 
     def _room_kept(self) -> bool:
@@ -126,6 +143,11 @@ class _Replay:
     def _begin(self, activity: int) -> None:
         board, actions = self._board, self._board.actions(activity)
         robots = {leaf: board.robot_of_group[board.staffing.group_of[action.role]] for leaf, action in actions}
+        for role, more in self._opens.get(activity, ()):
+            robot = board.robot_of_group[board.staffing.group_of[role]]
+            if self._detours.refills(robot.type_id):
+                stance = self._detours.before_role(role, robot, more=more)
+                self._detours.visit(robot, stance.refills if stance is not None else ())
         trips = {leaf: self._demands.trip(robots[leaf].spot, action) for leaf, action in actions}
         start = board.time[2 * activity]
         for leaf, action in actions:

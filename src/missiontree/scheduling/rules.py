@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import islice, product
 
 from missiontree.mission.alternative import Alternative
@@ -14,7 +15,18 @@ _CREWS: tuple[Crew, ...] = ("joint", "bundle", "none")
 
 
 def rules(problem: Problem, alternative: Alternative, runs: int, seed: int) -> Iterator[Rule]:
-    """Ways of deciding: the plain ones, allocation's witness, then variations; if all fail, fixed bindings."""
+    """
+    Ways of deciding: the plain ones, allocation's witness, then variations; if all fail, fixed bindings.
+
+    Where robots refill, each in two ways.
+    """
+    for rule in _rules(problem, alternative, runs, seed):
+        yield rule
+        if problem.chargers:
+            yield replace(rule, refill="full")
+
+
+def _rules(problem: Problem, alternative: Alternative, runs: int, seed: int) -> Iterator[Rule]:
     witness = {
         problem.staffing.group_of[one.role]: one.robot for one in alternative.witness if one.role in problem.graph.roles
     }

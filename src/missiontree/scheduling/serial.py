@@ -19,6 +19,7 @@ from missiontree.scheduling.casting import Casting
 from missiontree.scheduling.charging import charge
 from missiontree.scheduling.deadlock import deadlock_reason
 from missiontree.scheduling.demand import Demands
+from missiontree.scheduling.detours import Detours
 from missiontree.scheduling.homing import go_home
 from missiontree.scheduling.placing import Offer, Placing, length
 from missiontree.scheduling.pool import Pool
@@ -49,8 +50,9 @@ class Run:
         self._bundles, self._rule, self._graph = problem.bundles, rule, problem.graph
         self._board = board = Board(problem, rule)
         pool, self._demands = Pool(problem.fleet, board.world), Demands(board)
-        self._casting = Casting(board, pool, self._demands)
-        self._queues = Queues(board, pool, Placing(board, self._casting, self._demands))
+        self._detours = Detours(board, self._demands)
+        self._casting = Casting(board, pool, self._demands, self._detours)
+        self._queues = Queues(board, pool, Placing(board, self._casting, self._demands, self._detours))
         self._bundle_missing = indegrees(problem.bundles.after)
         self._bundle_left = list(problem.bundles.leaves)
         self._under_way = UnderWay(board)
@@ -73,7 +75,7 @@ class Run:
                 self._queues.advance(self._commit)
             if len(self._board.done) < len(self._graph.activity_of):
                 raise StuckError(deadlock_reason(self._board))
-            go_home(self._board)
+            go_home(self._board, self._detours)
         except StuckError as stuck:
             return self._board.draft((stuck.reason,))
         return self._board.draft(())
@@ -125,6 +127,8 @@ class Run:
     def _commit(self, activity: int, offer: Offer) -> None:
         """Put an activity into the schedule."""
         board, actions = self._board, self._board.actions(activity)
+        for role, stance in offer.stances.items():
+            self._detours.visit(offer.robots[role], stance.refills)
         trips = {leaf: self._demands.trip(offer.robots[action.role].spot, action) for leaf, action in actions}
         end = offer.start + length(board, activity, trips)
         for role, robot in offer.mates.items():
@@ -156,6 +160,7 @@ class Run:
         if not board.begun[role]:
             self._casting.bind(role, robot)
             robot.role = role
+            board.open_roles[robot.type_id] -= 1
         board.begun[role] += 1
         charge(board, robot, action, trip)
         departs = start if action.moves else robot.free_at

@@ -9,9 +9,10 @@ from missiontree.mission.certificate import Certificate
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
-from missiontree.mission.schedule import OwnLeg, Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.schedule import OwnLeg, Recharge, Schedule, ScheduledAction, TravelLeg
 from missiontree.mission.ticks import seconds
 from missiontree.scheduling.problem import Done, Draft, Homeward, Problem
+from missiontree.scheduling.trips import Trip
 
 
 def impossible_schedule(alternative: Alternative, method: str, reasons: Sequence[Reason]) -> Schedule:
@@ -82,6 +83,7 @@ def found_schedule(
             for one in draft.done
         ),
         legs=_legs(problem, draft),
+        recharges=_recharges(draft),
         returns=_returns(draft),
         makespan_s=seconds(draft.makespan),
         assumptions=_assumptions(problem, draft),
@@ -93,22 +95,40 @@ def _legs(problem: Problem, draft: Draft) -> tuple[TravelLeg, ...]:
     return tuple(sorted(legs, key=lambda leg: (leg.start_s, leg.leaf, leg.robot)))
 
 
-def _returns(draft: Draft) -> tuple[OwnLeg, ...]:
-    legs = [
-        OwnLeg(
+def _recharges(draft: Draft) -> tuple[Recharge, ...]:
+    found = [
+        Recharge(
             robot=one.robot,
+            charger=one.station.id,
             start_s=seconds(one.start),
             end_s=seconds(one.end),
-            origin=trip.origin,
-            destination=trip.destination,
-            distance_m=trip.metres,
-            via=trip.via,
+            amount=one.amount,
+            leg=_own_leg(one.robot, one.trip, one.leaves_at, one.arrives_at),
         )
-        for one in draft.returns
-        if (trip := one.trip).origin is not None
-        and trip.destination is not None
-        and (trip.metres or trip.ticks or trip.origin != trip.destination)
+        for one in draft.refills
     ]
+    return tuple(sorted(found, key=lambda one: (one.start_s, one.robot)))
+
+
+def _own_leg(robot: str, trip: Trip, start: int, end: int) -> OwnLeg | None:
+    """A way for a robot's own sake; None if an end of it is not known, or both are one."""
+    if trip.origin is None or trip.destination is None:
+        return None
+    if not (trip.metres or trip.ticks or trip.origin != trip.destination):
+        return None
+    return OwnLeg(
+        robot=robot,
+        start_s=seconds(start),
+        end_s=seconds(end),
+        origin=trip.origin,
+        destination=trip.destination,
+        distance_m=trip.metres,
+        via=trip.via,
+    )
+
+
+def _returns(draft: Draft) -> tuple[OwnLeg, ...]:
+    legs = [leg for one in draft.returns if (leg := _own_leg(one.robot, one.trip, one.start, one.end)) is not None]
     return tuple(sorted(legs, key=lambda leg: (leg.start_s, leg.robot)))
 
 

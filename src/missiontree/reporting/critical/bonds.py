@@ -8,7 +8,7 @@ time and what has to pass in between, a way or an action. It is *bound* by a cau
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Literal, NamedTuple
 
 from missiontree.mission.chain import Bond
@@ -17,9 +17,10 @@ from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
 from missiontree.mission.shared_resource import SharedResource
 from missiontree.mission.ticks import ticks
+from missiontree.reporting.critical.refills import refills_of
 from missiontree.reporting.critical.spans import Spans, ms
 
-Passing = Literal["", "action", "travel", "under_way"]
+Passing = Literal["", "action", "travel", "under_way", "refill"]
 
 
 class Event(NamedTuple):
@@ -85,6 +86,7 @@ class Bonds:
         self._brought: dict[str, list[int]] = {}  # leaves that move an entity
         self._used: dict[str, list[int]] = {}  # leaves done where an entity is
         self._held_by: dict[str, list[int]] = {}  # leaves that hold a shared resource
+        self._refills = refills_of(schedule)
         self._sort_leaves()
         self._spans = Spans(tree, self.at)
         self._held = self._spans.inherited("precedence")
@@ -114,20 +116,31 @@ class Bonds:
         releases = (self.tree.windows[mate].release for mate in self.joint(event.leaf))
         return event.kind == "start" and max(releases) == self.time(event) > 0
 
-    def held_back(self, event: Event) -> Literal["release", "available"] | None:
-        """What holds back an event that is no other event: a release time, or that a robot is not there before; None if neither does."""
+    def held_back(self, event: Event) -> Literal["release", "available", "refill"] | None:
+        """What holds back an event that is no other event: a release time, or that a robot is not there, or refills, before; else None."""
         if self.released(event):
             return "release"
         late = event.kind != "end" and any(
             self._comes_at(mate) == self.time(event) > 0 for mate in self.joint(event.leaf)
         )
+        if event.kind != "end" and self._refilled_since(event) is not None and not any(self._free(event)):
+            return "refill"
         return "available" if late else None
+
+    def _refilled_since(self, event: Event) -> int | None:
+        """From when on a robot was on its way to a charger that it leaves at an event; None if it leaves none then."""
+        stretches = self._refills.get(self.at[event.leaf].robot, ())
+        return next((since for since, until in stretches if until == self.time(event)), None)
 
     def _comes_at(self, leaf: int) -> int:
         """From when on the robot of an action takes part, in milliseconds."""
         robot = self.at[leaf].robot
         kind = self._fleet.type_of.get(robot) if self._fleet is not None else None
         return 0 if kind is None or self._fleet is None else ticks(kind.availability(self._fleet.robots[robot])[0])
+
+    def refills(self, robot: str) -> Sequence[tuple[int, int]]:
+        """Detours of a robot to chargers, from when to when in milliseconds."""
+        return self._refills.get(robot, ())
 
     def joint(self, leaf: int) -> list[int]:
         """Actions that start and end together with one, itself included."""
@@ -193,9 +206,13 @@ class Bonds:
         done, now = self._robots[self.at[event.leaf].robot], self.time(event)
         place = bisect_right(done, (now, now, len(self.tree.nodes)))
         latest: int | None = None
+        since = self._refilled_since(event)
         for end, _, leaf in reversed(done[:place]):
             if leaf == event.leaf:
                 continue
+            if since is not None and end == since < now:
+                yield Cause("refill", Event("end", leaf), now - since, "refill")
+                return
             if latest is not None and end < latest:
                 return
             latest = end

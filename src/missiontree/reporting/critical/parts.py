@@ -58,7 +58,7 @@ def parts_of(plan: Plan, schedule: Schedule) -> tuple[Part, ...]:
 
 
 def _goes_on(tree: GroundedTree, before: Step, step: Step) -> bool:
-    waits = "wait" in {before.kind, step.kind} or step.kind == "home"
+    waits = "wait" in {before.kind, step.kind} or step.kind in {"home", "refill"} or before.kind == "refill"
     same = before.robot == step.robot and tree.action(before.leaf).role == tree.action(step.leaf).role
     return same and not waits
 
@@ -81,6 +81,8 @@ def _parts(tree: GroundedTree, runs: Sequence[Sequence[Step]]) -> Iterator[Part]
 
 
 def _doing(tree: GroundedTree, step: Step) -> str:
+    if step.kind == "refill":
+        return "refilling, the way to the charger included"
     return "the way home" if step.kind == "home" else one_line(tree.roles[tree.action(step.leaf).role].label)
 
 
@@ -92,6 +94,8 @@ def _waiting(tree: GroundedTree, step: Step, held_by: str) -> str:
     text = one_line(tree.action(step.leaf).text)
     if held_by == "release":
         return f"nothing: {text} may not start before"
+    if held_by == "refill":
+        return f"nothing: {text} waits for a robot that refills first"
     if held_by == "available":
         return f"nothing: {text} waits for a robot that comes then"
     return f"nothing, and the schedule does not say why: {text} could start earlier"
@@ -101,6 +105,8 @@ def _after(tree: GroundedTree, before: Step, step: Step) -> str:
     text = one_line(tree.action(before.leaf).text)
     if before.kind == "travel":
         text = f"on the way to: {text}"
+    if step.bond == "refill":
+        return f"once {step.robot} has refilled"
     if step.bond == "robot" or (step.bond == "role" and before.robot == step.robot):
         return f"once {step.robot} is free"
     if step.bond == "resource":

@@ -14,6 +14,8 @@ from missiontree.reporting.svg_page import text
 
 WAY = 9.0
 """Height of a way."""
+PLUS = 5.0
+"""Half the size of the sign of a visit to a charger."""
 DIAMOND = 4.5
 LIT = 2.4
 """Width of the outline of what is on the critical chain."""
@@ -52,11 +54,36 @@ def strokes(row: Row, scale: Scale, place: Place, prefix: str) -> Iterator[str]:
                 f"<title>{xml_safe(way.title)}</title></rect>"
             )
         yield "</g>"
+    if row.refills:
+        yield f'<g class="mt-paper" fill="{PAPER}" stroke="{hue.deep}" stroke-width="1.4" stroke-dasharray="3 1.6">'
+        for refill in row.refills:
+            left, right = scale.span(refill.start_s, refill.end_s)
+            yield (
+                f'<rect x="{n(left)}" y="{n(place.bar_top)}" width="{n(right - left)}" '
+                f'height="{n(place.bar_bottom - place.bar_top)}" rx="2"><title>{xml_safe(refill.title)}</title></rect>'
+            )
+        yield "</g>"
+        yield _pluses(row, scale, place)
     for thin in (False, True):  # thin ones in front
         for moves in (False, True):
             chosen = [bar for bar in row.bars if bar.moves == moves and (_width(bar, scale) < _THIN) == thin]
             yield from _bars(chosen, row, scale, place, prefix)
     yield from _lit(row, scale, place)
+
+
+def _pluses(row: Row, scale: Scale, place: Place) -> str:
+    """A plus in the middle of each visit to a charger, as large as there is room for."""
+    marks = []
+    for refill in row.refills:
+        left, right = scale.span(refill.start_s, refill.end_s)
+        arm = min(PLUS, (right - left) / 2 - 1.5)
+        if arm > 1:
+            x = (left + right) / 2
+            marks.append(
+                f"M{n(x - arm)} {n(place.middle)} H{n(x + arm)} M{n(x)} {n(place.middle - arm)} V{n(place.middle + arm)}"
+            )
+    stroke = f'stroke="{row.livery.hue.deep}" stroke-width="2"'
+    return f'<path class="mt-line" d="{" ".join(marks)}" fill="none" {stroke} pointer-events="none"/>' if marks else ""
 
 
 def words_of(words: Sequence[Word], row: Row, place: Place) -> Iterator[str]:
@@ -148,6 +175,9 @@ def _lit(row: Row, scale: Scale, place: Place) -> Iterator[str]:
             rails.append(f"M{n(left)} {n(top)} H{n(right)} M{n(left)} {n(bottom)} H{n(right)}")
         else:
             outlines.append(_box(left, right, top, bottom))
+    for refill in row.refills:
+        if refill.lit:
+            outlines.append(_box(*scale.span(refill.start_s, refill.end_s), place.bar_top, place.bar_bottom))
     for way in row.ways:
         if way.lit:
             outlines.append(

@@ -43,7 +43,7 @@ class Due(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One robot: name, type, looks, what it does, its deadlines, and when it takes no part; each list in order of time."""
+    """One robot: name, type, looks, what it does, its deadlines, when it takes no part, and visits to chargers; lists in order of time."""
 
     robot: str
     kind: str
@@ -54,6 +54,7 @@ class Row:
     roles: Sequence[Stretch]
     dues: Sequence[Due] = ()
     away: Sequence[Stretch] = ()
+    refills: Sequence[Stretch] = ()
 
 
 class Order(NamedTuple):

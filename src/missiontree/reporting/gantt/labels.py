@@ -76,7 +76,7 @@ class Letterer:
         """The words that fit into a row: of its roles, its bars and its waits; ``goals``: where arrows end, sorted."""
         words, unfit = [*self._captions(row), *self._waits(row, goals)], []
         spans = [self.scale.span(bar.start_s, bar.end_s) for bar in row.bars]
-        more = [self.scale.span(one.start_s, one.end_s) for one in (*row.ways, *row.waits)]
+        more = [self.scale.span(one.start_s, one.end_s) for one in (*row.ways, *row.waits, *row.refills)]
         taken = sorted([*spans, *more])
         for index, (bar, span) in enumerate(zip(row.bars, spans, strict=True)):
             place = bisect_right(taken, span)  # one behind the bar itself
@@ -91,7 +91,7 @@ class Letterer:
         return Lettering(words, unfit)
 
     def numbered(self, row: Row, numbers: Mapping[int, int], goals: Sequence[float] = ()) -> list[Word]:
-        """Numbers of those bars of a row that have one, by index; then metres of ways where there is room left."""
+        """Numbers of those bars of a row that have one, by index; then what is refilled, and metres of ways, where there is room left."""
         words: list[Word] = []
         tags: list[tuple[list[int], float]] = []
         for index, number in numbers.items():
@@ -108,7 +108,7 @@ class Letterer:
         placed = self._packed(tags)
         words += [word for word, _, _ in placed]
         taken = [(left, right) for _, left, right in placed]
-        for way in row.ways:
+        for way in (*row.refills, *row.ways):
             left, right = self._spread(way.label, (self.scale.x(way.start_s) + self.scale.x(way.end_s)) / 2)
             if way.label and all(right + GAP <= low or high + GAP <= left for low, high in taken):
                 taken.append((left, right))

@@ -103,7 +103,13 @@ def _signs(content: Content, rows: Sequence[Row], prefix: str, *, arrows: bool) 
     if at := next((row for row in rows if row.ways), None):
         yield (
             _box(at, f'fill="url(#{stripes(prefix, at.livery)})" stroke="{at.livery.hue.deep}"', 4, 8),
-            "travel to an action",
+            "travel",
+        )
+    if at := next((row for row in rows if row.refills), None):
+        yield (
+            _box(at, f'fill="#ffffff" class="mt-paper" stroke="{at.livery.hue.deep}" stroke-dasharray="3 1.6"', 2, 12)
+            + f'<path class="mt-line" d="M11 8 H19 M15 4 V12" fill="none" stroke="{at.livery.hue.deep}" stroke-width="2"/>',
+            "refilling at a charger",
         )
     if at := next((row for row in rows if row.waits), None):
         dots = f'stroke="{at.livery.hue.deep}" stroke-width="2" stroke-dasharray="0.1 5" stroke-linecap="round"'

@@ -22,6 +22,7 @@ from missiontree.reporting.gantt.shared import shared_rows
 from missiontree.reporting.gantt.time import exact
 from missiontree.reporting.gantt.waits import why_waited
 from missiontree.reporting.palette import Livery, liveries
+from missiontree.reporting.visits import Visit, visits_of
 
 
 def content_of(plan: Plan, schedule: Schedule) -> Content:
@@ -40,6 +41,7 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
     legs = {(leg.robot, leg.leaf): leg for leg in schedule.legs}
     returns = {leg.robot: leg for leg in schedule.returns}
     end_s = max([*(one.end_s for one in schedule.actions), *(leg.end_s for leg in schedule.returns)])
+    visits = visits_of(plan, schedule)
     rows = [
         _Robot(
             tree,
@@ -47,6 +49,7 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
             chain,
             legs,
             returns.get(robot),
+            visits.get(robot, ()),
             sorted(own[robot], key=lambda one: (one.start_s, one.end_s, one.leaf)),
             away_of(fleet, robot, end_s),
         ).row(
@@ -90,6 +93,7 @@ class _Robot:
     chain: Sequence[Step]
     legs: dict[tuple[str, int], TravelLeg]
     home: OwnLeg | None
+    visits: Sequence[Visit]
     done: Sequence[ScheduledAction]
     away: Sequence[Stretch]
 
@@ -103,10 +107,39 @@ class _Robot:
             for one in self.done
             if (leg := self.bonds.legs.get(one.leaf)) is not None and leg.robot == robot
         ]
+        ways += [_way_to(visit, self._refilling(visit)) for visit in self.visits if visit.recharge.leg is not None]
         if self.home is not None:
             ways.append(_way_home(self.home, any(step.kind == "home" and step.robot == robot for step in self.chain)))
         dues = dues_of(self.tree, [one.leaf for one in self.done])
-        return Row(robot, kind, livery, bars, ways, list(self._waits()), self._roles(), dues, self.away)
+        return Row(
+            robot,
+            kind,
+            livery,
+            bars,
+            ways,
+            list(self._waits()),
+            self._roles(),
+            dues,
+            self.away,
+            list(self._refills(robot)),
+        )
+
+    def _refills(self, robot: str) -> Iterator[Stretch]:
+        for visit in self.visits:
+            one = visit.recharge
+            title = f"{visit.text}\n{robot}, {exact(one.start_s)} to {exact(one.end_s)}\n{visit.levels}"
+            yield Stretch(one.start_s, one.end_s, f"+{visit.gain}", title, self._refilling(visit))
+
+    def _refilling(self, visit: Visit) -> bool:
+        """Whether the critical chain runs through a visit to a charger."""
+        one = visit.recharge
+        return any(
+            step.kind == "refill"
+            and step.robot == one.robot
+            and step.start_s <= one.start_s
+            and one.end_s <= step.end_s
+            for step in self.chain
+        )
 
     def _bar(self, one: ScheduledAction, lit: bool) -> Bar:
         action = self.tree.action(one.leaf)
@@ -132,6 +165,7 @@ class _Robot:
 
     def _waits(self) -> Iterator[Stretch]:
         """Time in which the robot is held, or there already, and does nothing."""
+        yield from (wait for visit in self.visits if (wait := _waits_for_room(visit)) is not None)
         begun: set[int] = set()
         before: ScheduledAction | None = None
         for one in self.done:
@@ -158,6 +192,24 @@ class _Robot:
             for role, (start, end) in sorted(spans.items(), key=lambda span: (span[1], span[0]))
             if (label := one_line(self.tree.roles[role].label)) is not None
         ]
+
+
+def _way_to(visit: Visit, lit: bool) -> Stretch:
+    leg = visit.recharge.leg
+    assert leg is not None
+    title = f"on the way to charger {visit.label}\n{leg.robot}, {exact(leg.start_s)} to {exact(leg.end_s)}\n{_distance(leg)}"
+    return Stretch(leg.start_s, leg.end_s, f"{leg.distance_m:,.0f} m" if leg.distance_m >= 0.5 else "", title, lit)
+
+
+def _waits_for_room(visit: Visit) -> Stretch | None:
+    """The wait for others at a charger; None if there is none."""
+    one, leg = visit.recharge, visit.recharge.leg
+    if leg is None or ms(leg.end_s) >= ms(one.start_s):
+        return None
+    reason = f"for room at {visit.label}"
+    return Stretch(
+        leg.end_s, one.start_s, reason, f"{one.robot} waits, {exact(leg.end_s)} to {exact(one.start_s)}\n{reason}"
+    )
 
 
 def _way_home(leg: OwnLeg, lit: bool) -> Stretch:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.schedule import OwnLeg, Schedule
+from missiontree.reporting.visits import visits_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,9 +34,15 @@ class Errand:
     text: str
 
 
-def errands_of(schedule: Schedule) -> dict[str, tuple[Errand, ...]]:
+def errands_of(plan: Plan, schedule: Schedule) -> dict[str, tuple[Errand, ...]]:
     """Errands of every robot that has some, in order of time."""
     found: dict[str, list[Errand]] = {}
+    for visits in visits_of(plan, schedule).values():
+        for visit in visits:
+            one, spot = visit.recharge, plan.brief.world.charger_spots.get(visit.recharge.charger)
+            if spot is not None:
+                errand = Errand(one.leg, spot, one.start_s, one.end_s, visit.text)
+                found.setdefault(one.robot, []).append(errand)
     for leg in schedule.returns:
         found.setdefault(leg.robot, []).append(Errand(leg, leg.destination, leg.end_s, leg.end_s, "be home"))
     return {robot: tuple(sorted(own, key=lambda one: one.start_s)) for robot, own in found.items()}

@@ -142,7 +142,7 @@ def routes_of(plan: Plan, rank: int | None, scene: Scene) -> tuple[list[Route], 
     fleet, letters, ways = plan.brief.fleet, letters_of(plan), WayFinder(scene)
     places = {robot: place for place, robot in enumerate(fleet.robots)}
     routes = []
-    errands = errands_of(schedule)
+    errands = errands_of(plan, schedule)
     for robot, deeds in where.by_robot():
         own = errands.get(robot, ())
         kind, known = fleet.type_of.get(robot), fleet.robots.get(robot)

@@ -31,6 +31,8 @@ class LimitUse:
         The limit, its unit in the name.
     used, allowed
         Both in that unit, at least 0.
+    refilled
+        How much of ``allowed`` is refilled on the way. Default 0.
     at_least
         True if ``used`` is only a lower bound: without a schedule, the travel between roles is not known.
     """
@@ -40,6 +42,7 @@ class LimitUse:
     used: float
     allowed: float
     at_least: bool
+    refilled: float = 0.0
 
     @property
     def share(self) -> float:
@@ -63,7 +66,7 @@ def limits_of(plan: Plan, alternative: Alternative, schedule: Schedule | None) -
     """
     if schedule is not None:
         used = _scheduled(plan, schedule)
-        return (*_by_robot(plan, used), *_of_mission(plan, used))
+        return (*_by_robot(plan, schedule, used), *_of_mission(plan, used))
     return tuple(
         LimitUse(_holder(plan, use), use.name, use.used, use.limit, at_least=True)
         for use in alternative.uses
@@ -91,15 +94,24 @@ def _scheduled(plan: Plan, schedule: Schedule) -> Use:
     return used
 
 
-def _by_robot(plan: Plan, used: Use) -> Iterator[LimitUse]:
-    busy = {robot for robot, _ in used}
+def _refilled(plan: Plan, schedule: Schedule) -> Use:
+    stocks = {charger.id: charger.stock for charger in plan.brief.world.chargers}
+    found: dict[tuple[str, str], float] = defaultdict(float)
+    for visit in schedule.recharges:
+        found[visit.robot, stocks.get(visit.charger, "")] += visit.amount
+    return found
+
+
+def _by_robot(plan: Plan, schedule: Schedule, used: Use) -> Iterator[LimitUse]:
+    busy, refilled = {robot for robot, _ in used}, _refilled(plan, schedule)
     for kind in plan.brief.fleet.types:
         members = [robot for robot in kind.members if robot.id in busy]
         for robot in members:
             for name in dict.fromkeys((*kind.limits, *robot.remaining)):
                 allowed = kind.budget(robot, name)
                 if allowed is not None and (amount := used.get((robot.id, name), 0.0)) > 0:
-                    yield LimitUse(one_line(robot.id), name, amount, allowed, at_least=False)
+                    more = refilled.get((robot.id, name), 0.0)
+                    yield LimitUse(one_line(robot.id), name, amount, allowed + more, at_least=False, refilled=more)
         yield from _totals(
             kind, {name: _sum(used, [robot.id for robot in members], name) for name in kind.total_limits}
         )

@@ -14,7 +14,7 @@ from missiontree.reporting.gantt.time import in_words, ticks
 WORK = "█▓"
 """Two shades, in turn, so that two actions in a row can be told apart."""
 MOVE = "═"
-WAY, WAIT, AWAY = "─", "·", "╱"
+WAY, WAIT, AWAY, REFILL = "─", "·", "╱", "+"
 HELD = "▒░"
 """The same for who holds a shared resource."""
 MAX_ROBOTS = 100
@@ -99,6 +99,8 @@ def signs(content: Content, critical: str) -> str:
         parts.append(f"{MOVE} move")
     if any(row.ways for row in content.rows):
         parts.append(f"{WAY} travel")
+    if any(row.refills for row in content.rows):
+        parts.append(f"{REFILL} refilling")
     if any(row.waits for row in content.rows):
         parts.append(f"{WAIT} waiting")
     if any(row.away for row in content.rows):
@@ -132,6 +134,8 @@ def _stretches(row: Row) -> Iterator[tuple[float, float, str, str]]:
         yield wait.start_s, wait.end_s, WAIT, "dim"
     for way in row.ways:
         yield way.start_s, way.end_s, WAY, _LIT if way.lit else _PLAIN
+    for refill in row.refills:
+        yield refill.start_s, refill.end_s, REFILL, _LIT if refill.lit else _PLAIN
     for number, bar in enumerate(row.bars):
         yield bar.start_s, bar.end_s, MOVE if bar.moves else WORK[number % 2], _LIT if bar.lit else _PLAIN
 

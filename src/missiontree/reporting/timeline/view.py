@@ -16,13 +16,14 @@ from missiontree.reporting.gantt.content import Content
 from missiontree.reporting.gantt.content import Row as Shown
 from missiontree.reporting.gantt.reading import content_of
 from missiontree.reporting.timeline.bars import bars, signs
+from missiontree.reporting.visits import visits_of
 
 MAX_ROWS = 200
 CRITICAL = "◆"
 
 
 class Row(NamedTuple):
-    """A stretch of a robot's time."""
+    """A stretch of a robot's time; ``travel`` is whatever is no action."""
 
     robot: str
     start_s: float
@@ -80,6 +81,13 @@ def timeline_rows(schedule: Schedule, plan: Plan) -> Iterator[Row]:
     for leg in schedule.legs:
         if leg.leaf not in moves and leg.distance_m > 0:
             yield Row(leg.robot, leg.start_s, leg.end_s, f"travel {_way(leg)}", moving=True, leaf=leg.leaf, travel=True)
+    for visits in visits_of(plan, schedule).values():
+        for visit in visits:
+            one = visit.recharge
+            if one.leg is not None:
+                text = f"travel to {visit.label}, {_way(one.leg)}"
+                yield Row(one.robot, one.leg.start_s, one.leg.end_s, text, moving=True, travel=True)
+            yield Row(one.robot, one.start_s, one.end_s, f"{visit.text} ({visit.levels})", moving=False, travel=True)
     for home in schedule.returns:
         yield Row(home.robot, home.start_s, home.end_s, f"travel home {_way(home)}", moving=True, travel=True)
 
@@ -134,7 +142,7 @@ def _lists(content: Content, rows: list[Row]) -> Table:
 def _lines(shown: Shown, rows: list[Row], mates: dict[int, str], more: Mapping[int, str]) -> Iterator[_Line]:
     """What a robot does, travels and waits for, in order of time."""
     lit = {bar.leaf for bar in shown.bars if bar.lit}
-    lit_ways = {(way.start_s, way.end_s) for way in shown.ways if way.lit}
+    lit_ways = {(way.start_s, way.end_s) for way in (*shown.ways, *shown.refills) if way.lit}
     found = []
     for row in rows:
         bright = (row.start_s, row.end_s) in lit_ways if row.travel else row.leaf in lit

@@ -20,7 +20,11 @@ from missiontree.scheduling.trips import Spot
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """A robot: where it starts, what it has of each budget, whether it must take part, when it comes and leaves (ticks)."""
+    """
+    A robot: where it starts, what it has of each budget, whether it must take part, when it comes and leaves (ticks).
+
+    What it can refill is no budget: the model takes it to last for ever.
+    """
 
     name: str
     start: Spot
@@ -78,14 +82,15 @@ def crews(problem: Problem) -> list[Crew]:
 
 def _crew(problem: Problem, kind: RobotType, roles: Sequence[int]) -> Crew:
     groups = tuple(dict.fromkeys(problem.staffing.group_of[role] for role in roles))
-    used = {*kind.uses_per_m}
+    used, refilled = {*kind.uses_per_m}, problem.chargers.of(kind)
     for role in roles:
         for leaf in problem.graph.roles[role]:
             used |= problem.graph.tree.action(leaf).uses.keys()
     classes: dict[object, list[Member]] = {}
     class_of: dict[str, int] = {}
     for robot, start in zip(kind.members, problem.trips.starts(kind.id), strict=True):
-        budget = {name: amount for name, amount in (dict(kind.limits) | dict(robot.remaining)).items() if name in used}
+        budgets = (dict(kind.limits) | dict(robot.remaining)).items()
+        budget = {name: amount for name, amount in budgets if name in used and name not in refilled}
         member = Member(robot.id, start, budget, robot.id in problem.required, *presence(kind, robot))
         key = (start, tuple(sorted(budget.items())), robot.id if member.required else "", member.since, member.until)
         alike = classes.setdefault(key, [])

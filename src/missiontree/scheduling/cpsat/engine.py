@@ -17,7 +17,7 @@ from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.scheduling.cpsat.improving import Improving
 from missiontree.scheduling.cpsat.settings import Settings
-from missiontree.scheduling.greedy import best_of_runs, read_problem
+from missiontree.scheduling.greedy import MAX_RUNS, best_of_runs, read_problem
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.writing import found_schedule, impossible_schedule
 
@@ -66,7 +66,8 @@ def schedule_within(
     problem = read_problem(tree, alternative, terms.team_of(fleet), scene, terms)
     if not isinstance(problem, Problem):
         return impossible_schedule(alternative, *problem)
-    best, failures = best_of_runs(problem, alternative, control, control.part(GREEDY_SHARE), GREEDY_RUNS)
+    runs = MAX_RUNS if problem.chargers else GREEDY_RUNS  # the model knows nothing of refilling
+    best, failures = best_of_runs(problem, alternative, control, control.part(GREEDY_SHARE), runs)
     if best is not None and best.makespan == problem.bounds.makespan:
         return found_schedule(problem, alternative, best)
     return Improving(problem, alternative, control, settings, best, failures)()

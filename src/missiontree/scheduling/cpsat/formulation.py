@@ -2,7 +2,7 @@
 One alternative as a constraint model: the parts, in the order in which they need each other.
 
 Whatever cannot be said exactly is said more loosely, so that the least value of the model is never above that of the mission, and
-every answer is replayed by our own means before anything is made of it.
+every answer is replayed by our own means before anything is made of it. So does what robots can refill last for ever here.
 """
 
 from __future__ import annotations
@@ -22,7 +22,9 @@ from missiontree.scheduling.cpsat.things import Things
 from missiontree.scheduling.cpsat.times import Times
 from missiontree.scheduling.cpsat.tours import Tours
 from missiontree.scheduling.cpsat.travel import Distances, Legs, home_after
+from missiontree.scheduling.cpsat.unsupported import UnsupportedError
 from missiontree.scheduling.problem import Draft, Problem
+from missiontree.scheduling.recharging import may_wait_at_chargers
 from missiontree.scheduling.room import rank_of, turns
 
 
@@ -48,6 +50,10 @@ class Formulation:
     """
 
     def __init__(self, problem: Problem, horizon: int, over: Callable[[], bool] = never) -> None:
+        if may_wait_at_chargers(problem):
+            raise UnsupportedError(
+                "robots may refill while they wait, and be nearer to what comes next than where they were"
+            )
         self.problem, self.model = problem, Model()
         model = self.model
         self.stations = Stations(model, problem)
@@ -89,7 +95,8 @@ class Formulation:
 
     def travel_mm(self, draft: Draft) -> int:
         """Millimetres of a draft, each way rounded as in the model."""
-        trips = [*(one.trip for one in draft.done), *(one.trip for one in draft.returns)]
+        trips = [one.trip for one in draft.done]
+        trips += [*(one.trip for one in draft.returns), *(one.trip for one in draft.refills)]
         return sum(round(trip.metres * 1000) for trip in trips if trip is not None)
 
     def _travel(self) -> tuple[list[tuple[int, int]], int]:

@@ -7,6 +7,9 @@ in which a later choice starts earlier. That loses nothing. Of the best schedule
 activities down in order of their starts (one that must wait for an open-ended action to have begun, after that action): each comes to
 stand where it stood, or the sum was not the least. Shared resources change nothing of this: what starts a little earlier takes room there
 only before the starts of all that is put down later. What takes no time is an exception at the same tick; it may be put down first.
+
+What robots can refill is taken to last for ever: what is found may have to be made longer by visits to chargers, and what is not found
+is not there. Where robots may refill while they wait, nothing is tried.
 """
 
 from __future__ import annotations
@@ -22,6 +25,7 @@ from missiontree.scheduling.enumeration.state import State
 from missiontree.scheduling.impossible import TOLERANCE
 from missiontree.scheduling.precedence import indegrees
 from missiontree.scheduling.problem import Problem
+from missiontree.scheduling.recharging import may_wait_at_chargers
 from missiontree.scheduling.room import Hold, room_for, turns
 from missiontree.scheduling.trips import Spot, Trip
 
@@ -113,7 +117,8 @@ class Trying:
         number = 1
         for way in ways:
             number *= max(1, len(way))
-        if number > MOST_CHOICES or len(self._actions) > MOST_ACTIVITIES or self._out_of_turn():
+        too_many = number > MOST_CHOICES or len(self._actions) > MOST_ACTIVITIES
+        if too_many or self._out_of_turn() or may_wait_at_chargers(self._problem):
             return Tried(False, None, 0)
         try:
             for chosen in product(*(way or [-1] for way in ways)):
@@ -157,7 +162,8 @@ class Trying:
             left |= {(kind.id, name): amount for name, amount in kind.total_limits.items()}
             for robot in kind.members:
                 for name, amount in (dict(kind.limits) | dict(robot.remaining)).items():
-                    left[robot.id, name] = amount
+                    if name not in problem.chargers.of(kind):
+                        left[robot.id, name] = amount
         left |= {("", name): amount for name, amount in problem.shared.items()}
         time = [0] * len(self._graph.successors)
         for activity, release in self._graph.release.items():
