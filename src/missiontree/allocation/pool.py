@@ -184,7 +184,7 @@ def fill(
 ) -> None:
     """Fill the pool further, from ways that :func:`start` found; a little is done even when time is up."""
     _prune(pool, control)
-    _look_around(pool, core, purses, starts, advised, control)
+    look_around(pool, core, purses, starts, advised, control)
 
 
 def _prune(pool: Pool, control: Control) -> None:
@@ -196,7 +196,7 @@ def _prune(pool: Pool, control: Control) -> None:
         pool.offer(choices_of(way))
 
 
-def _look_around(
+def look_around(
     pool: Pool,
     core: Core,
     purses: Purses,
@@ -204,7 +204,7 @@ def _look_around(
     advised: Sequence[int],
     control: Control,
 ) -> None:
-    """Neighbours of the best starts, then of the best among those, until time is up or enough were asked for."""
+    """Offer neighbours of the best starts, then of the best among those, until time is up or enough were asked for."""
     seeds = [way for place, way in enumerate(starts) if way not in starts[:place]][:SEEDS]
     asked = 0
 

@@ -18,7 +18,7 @@ from missiontree.allocation.compiled import PLAIN, Engine, can_compile
 from missiontree.allocation.core import Core, Way
 from missiontree.allocation.crew import Crew
 from missiontree.allocation.kernel.columns import FINISHED, LAST, PAUSED
-from missiontree.allocation.pool import Pool, start
+from missiontree.allocation.pool import Pool, look_around, start
 from missiontree.allocation.purses import Purses
 from missiontree.allocation.searched import Scale, Searched, scale_of
 from missiontree.allocation.warming import engine_unless, is_warm
@@ -26,6 +26,7 @@ from missiontree.mission.control import Control
 
 STEPS = 20
 LARGE = 5_000  # parts from which compiling pays from the start
+EARLY = 1_200  # parts from which ways are sought before anything is searched
 TRIED_PLAIN = 150  # nodes at the slow speed before the fast one is taken
 SLICES = {True: 2_000, False: 10}  # nodes between two looks at the clock
 MENDED_IN_ONE_GO = {True: 200_000, False: 2_000}  # parts looked at by exchanges before the next look at the clock
@@ -95,8 +96,9 @@ class Rounds:
         assert self.bound is not None
         top, bottom = self.bound, least_utility(self.core)
         depth = max(self.scale.unit, (top - bottom) >> 16)
-        if len(self.core) >= LARGE:
-            self.start()  # it takes long there, and nobody knows when time will be up
+        if len(self.core) >= EARLY:
+            # It takes long there, and nobody knows when time will be up.
+            look_around(self.pool, self.core, self.purses, self.start(), self.base.advised(), self.control)
         while True:
             wanted = top - depth
             if self.pool.kth is not None:

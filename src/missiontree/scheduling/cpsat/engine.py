@@ -15,14 +15,14 @@ from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import NO_TERMS, Terms
-from missiontree.scheduling.cpsat.improving import Improving
+from missiontree.scheduling.cpsat.improving import MANY_ROLES, Improving
 from missiontree.scheduling.cpsat.settings import Settings
 from missiontree.scheduling.greedy import MAX_RUNS, best_of_runs, read_problem
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.writing import found_schedule, impossible_schedule
 
 GREEDY_SHARE = 0.2  # of the time, for greedy runs beyond the first that succeeds
-GREEDY_RUNS = 6
+GREEDY_RUNS = 6  # in missions of few roles, for which the solver does more
 CPSAT = Settings(longest_s=30.0)
 """Half a minute for each alternative, at most."""
 AUTO = Settings(longest_s=1.0, largest=20_000, deterministic=True, tidy=False, last_steps=4_000, regrouping=8_000)
@@ -66,7 +66,8 @@ def schedule_within(
     problem = read_problem(tree, alternative, terms.team_of(fleet), scene, terms)
     if not isinstance(problem, Problem):
         return impossible_schedule(alternative, *problem)
-    runs = MAX_RUNS if problem.chargers else GREEDY_RUNS  # the model knows nothing of refilling
+    small = len(problem.graph.roles) < MANY_ROLES and not problem.chargers  # the model knows nothing of refilling
+    runs = GREEDY_RUNS if small else MAX_RUNS
     best, failures = best_of_runs(problem, alternative, control, control.part(GREEDY_SHARE), runs)
     if best is not None and best.makespan == problem.bounds.makespan:
         return found_schedule(problem, alternative, best)

@@ -80,7 +80,7 @@ class _Search:
         if paths is None or not self._loose:
             return self._draft
         cost = self._cost(paths)
-        memory, done = [cost] * MEMORY, 0
+        memory, done, mark = [cost] * MEMORY, 0, paths.makespan
         while (rounds is None or done < rounds) and not ended() and self._refused < REFUSED:
             if self._draft.makespan == self._problem.bounds.makespan:
                 break
@@ -90,8 +90,10 @@ class _Search:
             if trial is None or measured is None:
                 continue
             found = self._cost(measured)
-            if measured.makespan < self._draft.makespan and not self._take(trial):
-                continue
+            if measured.makespan < mark:  # what paths do not know of, such as ways home, is as long for both, as far as one can tell
+                if not self._take(trial):
+                    continue
+                mark = measured.makespan
             if found <= cost or found <= memory[done % MEMORY]:
                 tours, paths, cost = trial, measured, found
             memory[done % MEMORY] = min(cost, memory[done % MEMORY])
