@@ -90,7 +90,9 @@ class _Search:
             if trial is None or measured is None:
                 continue
             found = self._cost(measured)
-            if measured.makespan < mark:  # what paths do not know of, such as ways home, is as long for both, as far as one can tell
+            if (
+                measured.makespan < mark
+            ):  # what paths do not know of, such as ways home, is as long for both, as far as one can tell
                 if not self._take(trial):
                     continue
                 mark = measured.makespan
