@@ -61,7 +61,9 @@ def made(
     works = any(schedule.status in {"optimal", "feasible"} for schedule in schedules)
     choice = NO_CHOICE
     if works and (front or brief.objective != "utility"):
-        choice = choose(grounding.tree, brief, scene, SCHEDULERS[scheduler], Control(), ranking, schedules, front)
+        choice = choose(
+            grounding.tree, brief, scene, SCHEDULERS[scheduler], Control(), ranking, schedules, front, most=8
+        )
     complete = ranking.status == "exact" and ranking.certificate.bound is None and not brief.diverse
     impossible = complete and all(schedule.status == "infeasible" for schedule in schedules)
     undelivered: Outcome = "cannot_be_done" if impossible or ranking.status == "infeasible" else "exhausted"

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from missiontree.choosing.drawing import Draws
 from missiontree.choosing.fronts import front_of
 from missiontree.choosing.objectives import best_then_fastest, fastest
-from missiontree.choosing.trying import Trials
+from missiontree.choosing.trying import MOST_SCHEDULED, Trials
 from missiontree.choosing.weighing import weightiest
 from missiontree.mission.alternative import Ranking
 from missiontree.mission.brief import MissionBrief
@@ -48,6 +48,7 @@ def choose(
     ranking: Ranking,
     schedules: tuple[Schedule, ...],
     front: bool = False,
+    most: int = MOST_SCHEDULED,
 ) -> Choice:
     """
     Weigh alternatives with their schedules.
@@ -64,8 +65,10 @@ def choose(
         What is known already.
     front
         Whether the utility-makespan front is sought. Default false.
+    most
+        How many alternatives are scheduled at most, beside what is known; 25 times as many are looked at. Default 200.
     """
-    draws, trials = Draws(tree, brief, control), Trials(tree, brief, scene, scheduler, control)
+    draws, trials = Draws(tree, brief, control), Trials(tree, brief, scene, scheduler, control, most)
     trials.know(ranking.alternatives, schedules)
     seen = front_of(draws, trials) if front else None
     if brief.objective == "makespan":

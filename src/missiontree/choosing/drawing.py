@@ -21,6 +21,8 @@ from missiontree.mission.search_limit import SearchLimit
 from missiontree.mission.ticks import seconds, ticks_within
 
 FIRST_DRAWN = 4
+MOST_EXAMINED, MOST_NODES = 20_000, (2_000_000, 20_000)
+"""What a single search of allocation may take: far less than a ranking, since there are many of them."""
 _LATEST = 10**15  # ticks: later than anything ends
 
 
@@ -49,7 +51,10 @@ class Draws:
         if worth is not None:
             flat = replace(flat, utility=tuple(worth.get(node, 0) for node in range(len(flat.kind))))
         self._flat = flat
-        self._allocate = reaching(Aim(accumulate=brief.accumulate), ExactKBest(explain=False))
+        self._allocate = reaching(
+            Aim(accumulate=brief.accumulate),
+            ExactKBest(max_examined=MOST_EXAMINED, max_nodes=MOST_NODES, explain=False),
+        )
 
     def under(self, deadline: int | None) -> Line:
         """

@@ -21,7 +21,8 @@ from missiontree.scheduling.scheduler import Scheduler
 NEVER = 1 << 62
 """A tick that never comes."""
 MOST_SCHEDULED = 200
-MOST_LOOKED_AT = 5_000
+LOOKED_AT = 25
+"""Alternatives that are looked at, by their bounds alone, for each that may be scheduled."""
 _SHARE = 0.25  # of the time that is left, for one schedule
 
 Key = tuple[Choice, ...]
@@ -121,7 +122,8 @@ class Trials:
             return ended
         if self._scheduled >= self._most:
             return SearchLimit("candidates", self._most)
-        return SearchLimit("candidates", MOST_LOOKED_AT) if len(self._tried) >= MOST_LOOKED_AT else None
+        most = self._most * LOOKED_AT
+        return SearchLimit("candidates", most) if len(self._tried) >= most else None
 
     def __iter__(self) -> Iterator[Tried]:
         return iter(self._tried.values())
