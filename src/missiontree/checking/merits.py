@@ -102,7 +102,8 @@ def weighted_worth(plan: Plan, merit: Merit) -> Fraction | None:
         nodes = plan.grounding.tree.nodes
         actions = {done.leaf: nodes[done.leaf].action for done in merit.schedule.actions if done.leaf < len(nodes)}
         time = sum(tick(done.end_s) - tick(done.start_s) for done in merit.schedule.actions)
-        time += sum(tick(leg.end_s) - tick(leg.start_s) for leg in merit.schedule.returns)
+        errands = [leg for leg in merit.schedule.ways if leg not in merit.schedule.legs]
+        time += sum(tick(leg.end_s) - tick(leg.start_s) for leg in errands)
         for leg in merit.schedule.legs:
             action = actions.get(leg.leaf)
             if action is not None and not action.moves:  # the leg of a move is the move

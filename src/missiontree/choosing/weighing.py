@@ -83,9 +83,9 @@ class Scale:
             return round(schedule.makespan_s * TICKS_PER_S)
         moves = {done.leaf for done in schedule.actions if self.tree.action(done.leaf).moves}
         acting = [(done.start_s, done.end_s) for done in schedule.actions]
-        under_way = [(leg.start_s, leg.end_s) for leg in schedule.legs if leg.leaf not in moves]
-        home = [(leg.start_s, leg.end_s) for leg in schedule.returns]
-        spans = (*acting, *under_way, *home)
+        own = {leg for leg in schedule.legs if leg.leaf in moves}  # the leg of a move is the move
+        under_way = [(leg.start_s, leg.end_s) for leg in schedule.ways if leg not in own]
+        spans = (*acting, *under_way)
         return sum(round(end * TICKS_PER_S) - round(start * TICKS_PER_S) for start, end in spans)
 
     @cached_property

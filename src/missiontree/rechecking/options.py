@@ -101,5 +101,6 @@ def _worth(plan: Plan, alternative: Alternative, schedule: Schedule) -> Fraction
         ms = sum(milliseconds(one.end_s) - milliseconds(one.start_s) for one in schedule.actions)
         legs = [leg for leg in schedule.legs if not tree.action(leg.leaf).moves]  # the leg of a move is the move
         ms += sum(milliseconds(leg.end_s) - milliseconds(leg.start_s) for leg in legs)
-        ms += sum(milliseconds(home.end_s) - milliseconds(home.start_s) for home in schedule.returns)
+        own = [*schedule.returns, *(one.leg for one in schedule.recharges if one.leg is not None)]
+        ms += sum(milliseconds(leg.end_s) - milliseconds(leg.start_s) for leg in own)
     return worth - Fraction(weights.beta) * 1000 * ms
