@@ -10,7 +10,8 @@ How short schedules are, and what is proven of them, where choices are part of t
 Mission trees (each leaf a role of its own; budgets, utility and ``disjoint`` do not count) and chains are generated
 (:mod:`benchmarks.trees`, :mod:`benchmarks.chains`). A folder adds a row per instance found in it or below: flexible job shops
 (``*.txt``, ``*.fjs``), missions of coalitions and trees in columns (``*.json``). PyJobShop is optional (``pip install
-missiontree[bench]``), is asked about job shops, with 8 workers, and runs in a process of its own. Seconds run from columns to the checked
+missiontree[bench]``), is asked about job shops, with 8 workers, and runs in a process of its own, by another Python if it is installed
+there (``--peer-python``). Seconds run from columns to the checked
 schedule, in a process that has loaded (and, with numba, compiled) everything; a gap is |value - bound| over max(1, |value|). Every schedule
 of ours passes the independent checker, or the run stops.
 """
@@ -98,8 +99,8 @@ def warm() -> Instance:
     return shop_of("\n".join(lines))
 
 
-def measured(row: Row, seed: int, limit_s: float, bound_share: float, *, peer: bool) -> str:
-    """A line of the table."""
+def measured(row: Row, seed: int, limit_s: float, bound_share: float, *, peer: str | None) -> str:
+    """A line of the table; ``peer`` is the Python that has PyJobShop, None if nobody has."""
     control = Control(time_limit_s=limit_s, seed=seed)
     started = perf_counter()
     schedule = schedule_instance(row.instance, control, bound_share=bound_share)
@@ -123,15 +124,17 @@ def measured(row: Row, seed: int, limit_s: float, bound_share: float, *, peer: b
         known,
         f"{seconds:.2f}",
     ]
-    return f"| {' | '.join([*ours, *(_peer(row.shop, limit_s, seed) if peer and row.shop else ('-', '-', '-'))])} |"
+    return (
+        f"| {' | '.join([*ours, *(_peer(peer, row.shop, limit_s, seed) if peer and row.shop else ('-', '-', '-'))])} |"
+    )
 
 
 def _number(value: float | None) -> str:
     return "-" if value is None else f"{value:.3f}".rstrip("0").rstrip(".")
 
 
-def _peer(file: Path, limit_s: float, seed: int) -> tuple[str, str, str]:
-    command = [sys.executable, "-m", "benchmarks.peer_pyjobshop", str(file.resolve()), str(limit_s), str(seed)]
+def _peer(python: str, file: Path, limit_s: float, seed: int) -> tuple[str, str, str]:
+    command = [python, "-m", "benchmarks.peer_pyjobshop", str(file.resolve()), str(limit_s), str(seed)]
     try:
         ran = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=limit_s + GRACE_S, check=False)
     except subprocess.TimeoutExpired:
@@ -156,13 +159,15 @@ def main() -> None:
     )
     parser.add_argument("--limit", type=float, metavar="S", help="seconds for each row (default: each row's own)")
     parser.add_argument("--no-peers", action="store_true", help="ours alone")
+    parser.add_argument("--peer-python", metavar="PATH", help="Python that has PyJobShop (default: this one)")
     parser.add_argument(
         "--bound-share", type=float, default=0.0, metavar="S", help="of CP-SAT's time, to raise the bound (default 0)"
     )
     parser.add_argument("--seed", type=int, default=0, help="seed of every search (default 0)")
     given = parser.parse_args()
-    peer = not given.no_peers and find_spec("pyjobshop") is not None
-    print(machine_line("ortools", *(["numba"] if find_spec("numba") else []), *(["pyjobshop"] if peer else [])))
+    here = find_spec("pyjobshop") is not None
+    peer = None if given.no_peers else given.peer_python or (sys.executable if here else None)
+    print(machine_line("ortools", *(["numba"] if find_spec("numba") else []), *(["pyjobshop"] if here else [])))
     print(f"Seed {given.seed}; limits of {'each row' if given.limit is None else f'{given.limit:g} s'}.\n")
     if can_compile():
         fast_engine()
