@@ -13,6 +13,7 @@ from missiontree.cli.exits import OUTCOMES
 from missiontree.cli.files import refuse_clashing, refuse_unwritable, save
 from missiontree.cli.gathering import author_named, budgets_from, gather
 from missiontree.cli.interrupt import controlled
+from missiontree.cli.live import LiveLine
 from missiontree.cli.pictures import Asked, refuse_impossible, write_pictures
 from missiontree.cli.screen import remark, show
 from missiontree.cli.watching import authored, hint_at_keys
@@ -141,8 +142,10 @@ def command(
             remark(f"using {source}", colour)
         hint_at_keys(request, colour)
     made = authored(request, quiet or as_json, colour)
-    with controlled(time_limit, request.seed) as control:
-        plan = plan_authored(request, made, control)
+    line = LiveLine(quiet or as_json)
+    with controlled(time_limit, request.seed, line.report) as control:
+        with line:
+            plan = plan_authored(request, made, control)
         if plan.outcome == "exhausted" and control.stop():
             raise KeyboardInterrupt
         whole = plan

@@ -10,6 +10,7 @@ import typer
 from missiontree.cli import options
 from missiontree.cli.exits import Exit
 from missiontree.cli.interrupt import controlled
+from missiontree.cli.live import LiveLine
 from missiontree.cli.pictures import Asked, refuse_impossible, write_pictures
 from missiontree.cli.rank import seldom_collected
 from missiontree.cli.screen import remark, show
@@ -66,8 +67,11 @@ def command(
     with seldom_collected():
         instance = read_instance(file)
         started = perf_counter()
-        with controlled(time_limit, seed or 0) as control:
-            schedule = schedule_instance(instance, control, solver=solver and _solver_there(), bound_share=bound_share)
+        line = LiveLine(as_json)
+        with controlled(time_limit, seed or 0, line.report) as control:
+            with line:
+                asks = solver and _solver_there()
+                schedule = schedule_instance(instance, control, solver=asks, bound_share=bound_share)
             elapsed = perf_counter() - started
             plan = _as_plan(instance, schedule, file.name, gantt is not None)
             told = Told(instance, schedule, file.name, seed or 0, time_limit, elapsed, plan)
