@@ -313,6 +313,7 @@ WAYS = (
     Way("refilled too little", known.refilled_too_little, "level_below_nothing", "core_level"),
     Way("refilled more than it holds", known.refilled_too_much, "level_above_full", "core_level"),
     Way("charger reached by no way", known.charger_reached_by_no_way, "own_leg_missing", "core_refill"),
+    Way("charger reached by another", known.charger_reached_by_another, "own_leg_misplaced", "core_refill"),
     Way("refilled before it is there", known.refilled_before_it_is_there, "own_leg_at_wrong_time", "core_refill"),
     Way("blind move hurried", known.blind_move_hurried, "move_too_short", "core_travel"),
     Way("budget stretched", budget_cut, "budget_exceeded", "core_budget"),

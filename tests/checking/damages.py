@@ -1941,6 +1941,15 @@ def charger_reached_by_no_way(plan: Plan) -> Iterator[Plan]:
             yield with_visit(plan, place, number, leg=None)
 
 
+@breaks("own_leg_misplaced")
+def charger_reached_by_another(plan: Plan) -> Iterator[Plan]:
+    for place, _, number, visit in refilled(plan):
+        if visit.leg is not None:
+            others = sorted(plan.brief.fleet.robots.keys() - {visit.robot})
+            for other in others:
+                yield with_visit(plan, place, number, leg=replace(visit.leg, robot=other))
+
+
 @breaks("own_leg_at_wrong_time")
 def refilled_before_it_is_there(plan: Plan) -> Iterator[Plan]:
     for place, _, number, visit in refilled(plan):

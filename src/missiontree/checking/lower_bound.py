@@ -2,7 +2,8 @@
 A bound of the checker's own: no schedule of an alternative can be shorter, by design alone and by the checker's own distances.
 
 Three plain arguments. *Critical path*: actions of a role, of a precedence and of an until link follow each other, with the travel
-that is certain between them, and none starts before its release time, or before the nearest robot of its type can be there. *Load*:
+that is certain between them, and none starts before its release time, or before the nearest robot of its type can be there; where robots
+return, the way home follows. *Load*:
 robots take one role at a time, so the roles of a type fill at least their sum shared among its robots, after the earliest start and
 before the least that must still follow. *Resource load*: the same of what holds a shared resource, and its capacity.
 """
@@ -11,6 +12,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Sequence
 from itertools import pairwise
 
 from missiontree.checking.case import Case
@@ -94,6 +96,9 @@ class _Bound:
             self._release[self._start(leaf)] = max(self._release.get(self._start(leaf), 0), since)
         for leaf, window in windows(self._case, self._staffing).items():
             self._release[self._start(leaf)] = max(self._release.get(self._start(leaf), 0), window.release)
+        if self._case.plan.brief.return_home:
+            for leaves in self._staffing.leaves_of_role.values():
+                self._add(self._end(leaves[-1]), ("home", leaves[-1]), self._way_home(leaves))
         for later, earlier in self._before.items():
             weight = 0 if self._actions[later].moves else self._wait[later]
             self._add(self._end(earlier), self._start(later), weight)
@@ -176,6 +181,25 @@ class _Bound:
             for origin in starts
             for goal in there
             if origin is not None and goal is not None
+        ]
+        least = min(seconds, default=0.0)
+        return ticks_needed(least) if math.isfinite(least) else 0
+
+    def _way_home(self, leaves: Sequence[int]) -> int:
+        """Least ticks from the last place of a role to any start of its type; 0 if a robot of it may be anywhere."""
+        last = next((leaf for leaf in reversed(leaves) if self._actions[leaf].at is not None), None)
+        kind = self._case.fleet.by_id[self._actions[leaves[0]].robot_type]
+        speed, starts = kind.limits.get("max_speed_mps"), self._haunts.starts(kind.id)
+        if last is None or speed is None or None in self._haunts.of_type(kind.id):
+            return 0
+        there = self._haunts.of_leaf(last)
+        if len(starts) * len(there) > MOST_WAYS:
+            return 0
+        seconds = [
+            self._case.ways.quickest_s(kind, spot, home, speed)
+            for spot in there
+            for home in starts
+            if spot is not None and home is not None
         ]
         least = min(seconds, default=0.0)
         return ticks_needed(least) if math.isfinite(least) else 0

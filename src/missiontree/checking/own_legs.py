@@ -67,8 +67,10 @@ def return_late(case: Case) -> Iterator[Fault]:
 
 
 def own_leg_misplaced(case: Case) -> Iterator[Fault]:
-    """A leg starts somewhere else than where its robot is, or ends somewhere else than where it must be."""
+    """A leg starts somewhere else than where its robot is, ends somewhere else than where it must be, or is another robot's."""
     for run in runs(case):
+        if run.leg.robot != run.errand.robot:
+            yield _fault(run, f"is needed by {run.errand.robot}", run.leg.robot, run.errand.robot)
         for verb, found, needed in (
             ("starts at", run.leg.origin, run.errand.origin),
             ("ends at", run.leg.destination, run.errand.goal),

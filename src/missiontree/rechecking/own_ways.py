@@ -24,7 +24,8 @@ def leads(
         yield broken(
             rule, f"{leg.robot} sets out at {start / 1000} s, and is free at {free_ms / 1000} s.", robot=leg.robot
         )
-    yield from _fast(facts, leg, rule, end - start)
+    if leg.robot in facts.brief.fleet.type_of:
+        yield from _fast(facts, leg, rule, end - start)
 
 
 def _fast(facts: Facts, leg: OwnLeg, rule: str, lasts: int) -> Iterator[Reason]:

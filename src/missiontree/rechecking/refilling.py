@@ -82,9 +82,13 @@ def _comes(facts: Facts, visit: Recharge) -> Iterator[Reason]:
             if action.at is not None or action.moves:
                 here = place_at(facts, action.at, facts.start_ms[step])
             free_ms = max(free_ms, facts.end_ms[step])
-    if visit.leg is not None:
+    if visit.leg is not None and visit.leg.robot != visit.robot:
+        yield broken(
+            RULE, f"{visit.robot} refills, and {visit.leg.robot} travels to {visit.charger}.", robot=visit.robot
+        )
+    elif visit.leg is not None:
         yield from leads(facts, visit.leg, RULE, (here, goal), free_ms)
-        if milliseconds(visit.leg.end_s) > milliseconds(visit.start_s) + TICK_MS or visit.leg.robot != visit.robot:
+        if milliseconds(visit.leg.end_s) > milliseconds(visit.start_s) + TICK_MS:
             yield broken(RULE, f"{visit.robot} is not at {visit.charger} when it refills.", robot=visit.robot)
     elif here is not None and goal is not None and not same_place(here, goal):
         yield broken(RULE, f"{visit.robot} has no way to {visit.charger}.", robot=visit.robot)
