@@ -287,6 +287,7 @@ WAYS = (
     Way("role within a role", known.role_within_a_role, "holding_broken", "core_holding"),
     Way("taken over late", known.taken_over_late, "hand_over_missed", "core_hand_over"),
     Way("taken over elsewhere", known.taken_over_elsewhere, "hand_over_unfit", "core_hand_over"),
+    Way("on the way at once", known.on_the_way_at_once, "resource_overfull", "core_shared"),
     Way("shared resource held at once", known.held_at_once, "resource_overfull", "core_shared"),
     Way("leg left out", known.leg_dropped, "leg_missing", "core_travel"),
     Way("leg of another action", known.leg_added, "leg_extra", "core_travel"),

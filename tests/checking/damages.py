@@ -1325,6 +1325,18 @@ def _stands_below(tree: GroundedTree, node: int, above: int) -> bool:
 
 
 @breaks("resource_overfull")
+def on_the_way_at_once(plan: Plan) -> Iterator[Plan]:
+    """A robot is on its way through what another holds on its own way."""
+    world = plan.brief.world
+    for place, _, number, leg in travelled(plan):
+        for other in plan.schedules[place].legs:
+            shared = {*world.passed(leg.via)} & {*world.passed(other.via)}
+            if other.robot != leg.robot and shared and min(leg.end_s - leg.start_s, other.end_s - other.start_s) > 1:
+                end_s = round(other.start_s + leg.end_s - leg.start_s, 3)
+                yield with_leg(plan, place, number, start_s=other.start_s, end_s=end_s)
+
+
+@breaks("resource_overfull")
 def held_at_once(plan: Plan) -> Iterator[Plan]:
     """An action that fills a shared resource is put to the same time as another that holds it."""
     tree = grounded_tree(plan)

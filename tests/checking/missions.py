@@ -13,6 +13,7 @@ from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Capability, CostModel, DurationModel, Fleet, Robot, RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
+from missiontree.mission.shared_resource import SharedResource
 from missiontree.mission.tree import Link, LinkKind, MissionNode, MissionTree
 from missiontree.mission.ways import Lift, OccupancyGrid, Road, RoadGraph, RoadNode
 from missiontree.routines.ground import ground
@@ -48,7 +49,8 @@ def random_scene(rng: random.Random) -> Scene | None:
         keep_outs=keep_outs if kind != "roads" or rng.random() < 0.3 else (),
     )
     if kind == "roads":
-        return replace(scene, roads=random_roads(rng, floors))
+        shared = tuple(SharedResource(id=name, capacity=rng.choice((1, 1, 2))) for name in ("cabin", "gate"))
+        return replace(scene, roads=random_roads(rng, floors), resources=shared)
     if kind == "grid":
         rows = tuple("".join(rng.choice("....#") for _ in range(11)) for _ in range(11))
         return replace(scene, grid=OccupancyGrid(rows=rows, cell_m=1.0))
@@ -100,11 +102,16 @@ def random_roads(rng: random.Random, floors: tuple[str, ...]) -> RoadGraph:
                 blocked=rng.random() < 0.1,
                 types=rng.choice((None, None, None, ("t0",))),
                 zone=rng.choice((None, None, None, "wing")),
+                resource=rng.choice((None, None, None, None, "gate")),
             )
         )
     ramp = Road(ends=("n4", "n5"), length_m=25)
     lift = Lift(
-        id="lift", stops=("n0", "n1"), ride_s=rng.choice((0.0, 5.0, 60.0)), types=rng.choice((None, None, ("t1",)))
+        id="lift",
+        stops=("n0", "n1"),
+        ride_s=rng.choice((0.0, 5.0, 60.0)),
+        types=rng.choice((None, None, ("t1",))),
+        resource=rng.choice((None, "cabin", "cabin")),
     )
     return RoadGraph(nodes=tuple(nodes), roads=(*roads, ramp), lifts=(lift,))
 

@@ -281,7 +281,7 @@ def choices() -> Plan:
 
 @cache
 def floors() -> Plan:
-    """A lift between two floors, and a slow way round by a ramp; upstairs one robot hands over to another."""
+    """A lift between two floors with room for one, and a slow way round by a ramp; upstairs one robot hands over to another."""
     tree = flat_tree(
         routine_node("bring", "Transport", agent="parcel", location="office"),
         routine_node("store", "Transport", agent="parcel", location="shelf"),
@@ -308,8 +308,9 @@ def floors() -> Plan:
                 Road(ends=("ramp_foot", "ramp_head"), length_m=40),
                 Road(ends=("ramp_head", "landing")),
             ),
-            lifts=(Lift(id="lift", stops=("shaft", "landing"), ride_s=20),),
+            lifts=(Lift(id="lift", stops=("shaft", "landing"), ride_s=20, resource="cabin"),),
         ),
+        resources=(SharedResource(id="cabin"),),
     )
     fleet = Fleet(
         (

@@ -38,7 +38,7 @@ DOOR = SharedResource(id="door", label="Fire Door")
 def test_who_waits_for_a_resource_is_told_what_and_for_whom() -> None:
     """Both are there after 1 s; a-1 goes first, until 5 s, then b-1 until 9 s."""
     instance, plan = made(DOOR)
-    bonds = Bonds(instance.tree, plan.schedules[0], (DOOR,))
+    bonds = Bonds(instance.tree, plan.schedules[0], plan.brief.scene)
     assert why_waited(bonds, instance.node["B.1"]) == "for Fire Door, which a-1 holds: A.1"
     assert why_waited(bonds, instance.node["A.1"]) == ""
 
@@ -46,7 +46,7 @@ def test_who_waits_for_a_resource_is_told_what_and_for_whom() -> None:
 def test_the_critical_chain_runs_through_the_resource() -> None:
     """A.0 0-1, A.1 1-5 and then, since the door is free, B.1 5-9; without the resources known the wait would be unexplained."""
     instance, plan = made(DOOR)
-    chain = critical_chain(instance.tree, plan.schedules[0], (DOOR,))
+    chain = critical_chain(instance.tree, plan.schedules[0], plan.brief.scene)
     assert [(step.leaf, step.start_s, step.bond) for step in chain] == [
         (instance.node["A.0"], 0.0, "start"),
         (instance.node["A.1"], 1.0, "role"),
@@ -58,7 +58,7 @@ def test_the_critical_chain_runs_through_the_resource() -> None:
 def test_a_resource_with_room_left_holds_nobody_up() -> None:
     """Room for two: B.1 ends by chance when nobody waits for it."""
     instance, plan = made(SharedResource(id="door", capacity=2), first_s=5)
-    bonds = Bonds(instance.tree, plan.schedules[0], (SharedResource(id="door", capacity=2),))
+    bonds = Bonds(instance.tree, plan.schedules[0], plan.brief.scene)
     starts = [Event("start", leaf) for leaf in bonds.at]
     assert "resource" not in {cause.bond for start in starts for cause in bonds.causes(start)}
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import combinations, pairwise
 from typing import Literal
 
 from missiontree.mission.area import KeepOut, Zone
@@ -156,6 +157,19 @@ class Scene(Value):
                     )
             if road.length_m is None and known[road.ends[0]].floor != known[road.ends[1]].floor:
                 raise ValueError(f"the road {road.ends[0]} - {road.ends[1]} joins two floors; use a lift.")
+        named = [(f"the road {road.ends[0]} - {road.ends[1]}", road.resource) for road in self.roads.roads]
+        named += [(f"lift {lift.id!r}", lift.resource) for lift in self.roads.lifts]
+        for what, resource in named:
+            if resource is not None and resource not in self.shared:
+                raise ValueError(
+                    f"{what} names {resource!r}, which is no shared resource of the scene; "
+                    f"it has {', '.join(self.shared) or 'none; declare them under resources'}."
+                )
+        if self.chargers and self.passages:
+            raise ValueError(
+                "ways to chargers do not wait for shared resources of roads and lifts yet; take the chargers out of the scene, or the "
+                "resource off its roads and lifts."
+            )
         for lift in self.roads.lifts:
             for stop in lift.stops:
                 if stop not in known:
@@ -187,6 +201,23 @@ class Scene(Value):
             assert position is not None  # checked at birth
             found[charger.id] = self.in_map(position)
         return found
+
+    @cached_property
+    def passages(self) -> dict[frozenset[str], tuple[str, ...]]:
+        """Shared resources between neighbouring nodes of the road graph: of any road or lift that joins the two."""
+        found: dict[frozenset[str], dict[str, None]] = {}
+        for road in self.roads.roads if self.roads is not None else ():
+            if road.resource is not None:
+                found.setdefault(frozenset(road.ends), {})[road.resource] = None
+        for lift in self.roads.lifts if self.roads is not None else ():
+            for pair in combinations(lift.stops, 2) if lift.resource is not None else ():
+                found.setdefault(frozenset(pair), {})[lift.resource or ""] = None
+        return {pair: tuple(names) for pair, names in found.items()}
+
+    def passed(self, via: Sequence[str]) -> tuple[str, ...]:
+        """Shared resources that a way along such nodes of the road graph holds, each once."""
+        pairs = (frozenset(pair) for pair in pairwise(via)) if self.passages else ()
+        return tuple(dict.fromkeys(name for pair in pairs for name in self.passages.get(pair, ())))
 
     @cached_property
     def road_points(self) -> dict[str, Position]:

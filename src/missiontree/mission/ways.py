@@ -44,6 +44,9 @@ class Road(Value):
         Robot types allowed; None (default) means all.
     zone
         Zone the road runs through; only types allowed there pass.
+    resource
+        Shared resource of the scene that robots hold on every way along this road, from setting out to arriving: a narrow corridor, a
+        door. Default: none.
     """
 
     ends: tuple[Id, Id]
@@ -52,6 +55,7 @@ class Road(Value):
     blocked: bool = False
     types: tuple[Id, ...] | None = None
     zone: Id | None = None
+    resource: Id | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,6 +75,8 @@ class Lift(Value):
         Out of order. Default false.
     types
         Robot types allowed; None (default) means all.
+    resource
+        Shared resource of the scene that robots hold on every way by this lift, in the same way. Default: none.
     """
 
     id: Id
@@ -78,6 +84,7 @@ class Lift(Value):
     ride_s: NonNegative
     blocked: bool = False
     types: tuple[Id, ...] | None = None
+    resource: Id | None = None
 
     def _check(self) -> None:
         if len(self.stops) < 2:

@@ -9,7 +9,7 @@ from missiontree.mission.grounded import Action
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.precedence import indegrees
 from missiontree.scheduling.problem import Done, Draft, Homeward, Problem, Refill, Rule
-from missiontree.scheduling.room import Hold, room_for
+from missiontree.scheduling.room import Hold
 from missiontree.scheduling.world_state import RobotState, WorldState
 
 
@@ -45,6 +45,7 @@ class Board:
         self.done: dict[int, Done] = {}
         self.held: dict[str, dict[int, Hold]] = {name: {} for name in problem.sharing.capacity}
         self.returns: list[Homeward] = []
+        self.wanted: dict[int, dict[str, int]] = {}  # by activity: what it holds
         self.waiting: list[int] = []  # activities that end with a hand-over, and wait for their taker
         self.refills: list[Refill] = []
         self.plugged: dict[str, list[Hold]] = {}  # by charger: who refills there
@@ -79,18 +80,9 @@ class Board:
             return self.robot_of_group[group]
         return self.world.robots[self.rule.binding[group]] if group in self.rule.binding else None
 
-    def room(self, activity: int, ready: int, length: int | None) -> int | None:
-        """When an activity finds room in all that it holds, of what length it may be; None if there is none as far as is known now."""
-        givers = self.problem.hand_overs.givers(activity)  # they let go when it starts
-
-        def held(name: str) -> list[Hold]:
-            return [hold for one, hold in self.held[name].items() if one not in givers]
-
-        return room_for(self.problem.sharing, activity, held, ready, length)
-
     def hold(self, activity: int, start: int, end: int | None) -> None:
         """An activity holds what it holds, until nobody knows when if ``end`` is None."""
-        for name, robots in self.problem.sharing.demand.get(activity, {}).items():
+        for name, robots in self.wanted.get(activity, {}).items():
             self.held[name][activity] = Hold(start, end, robots)
 
     def awaits(self, activity: int) -> bool:
@@ -106,9 +98,11 @@ class Board:
             for _, action in self.actions(activity)
         )
 
-    def bring(self, activity: int, start: int, end: int) -> None:
-        """An activity is put down: it holds what it holds, and waits for its taker if it ends with a hand-over."""
+    def bring(self, activity: int, start: int, end: int, wanted: dict[str, int]) -> None:
+        """An activity is put down: it holds what it wants, and waits for its taker if it ends with a hand-over."""
         gives = activity in self.problem.hand_overs.taker
+        if wanted:
+            self.wanted[activity] = wanted
         self.hold(activity, start, None if gives or activity in self.graph.until else end)
         if gives:
             self.waiting.append(activity)

@@ -13,10 +13,14 @@ from missiontree.scheduling.detours import Detours
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.problem import Homeward
+from missiontree.scheduling.room import Hold, room_for
 from missiontree.scheduling.stuck import StuckError
-from missiontree.scheduling.trips import Trips
+from missiontree.scheduling.trips import Trip, Trips
+from missiontree.scheduling.world_state import RobotState
 
 RULE = "no_way_home"
+_WAYS_HOME = -(1 << 40)
+"""Below all numbers of activities and of ways to actions."""
 
 
 def go_home(board: Board, detours: Detours) -> None:
@@ -38,8 +42,19 @@ def go_home(board: Board, detours: Detours) -> None:
         if isinstance(trip, Blocked):
             raise StuckError(_blocked(f"{name} ends where no way leads home", trip, name))
         spend(board, robot, {}, trip, "its way home")
-        board.returns.append(Homeward(name, trip, robot.free_at, robot.free_at + trip.ticks))
-        robot.spot, robot.stand, robot.free_at = robot.home, robot.home_stand, robot.free_at + trip.ticks
+        leaves_at = _sets_out(board, robot, trip)
+        board.returns.append(Homeward(name, trip, leaves_at, leaves_at + trip.ticks))
+        robot.spot, robot.stand, robot.free_at = robot.home, robot.home_stand, leaves_at + trip.ticks
+
+
+def _sets_out(board: Board, robot: RobotState, trip: Trip) -> int:
+    """When a robot can go home: as soon as there is room in what it holds on the way."""
+    wanted = dict.fromkeys(trip.holds, 1)
+    found = room_for(board.problem.sharing, wanted, lambda name: board.held[name].values(), robot.free_at, trip.ticks)
+    assert found is not None, "everything else is over at some time"
+    for name in trip.holds:
+        board.held[name][_WAYS_HOME - robot.index] = Hold(found, found + trip.ticks, 1)
+    return found
 
 
 def never_home(graph: TaskGraph, places: Places, trips: Trips) -> list[Reason]:

@@ -12,6 +12,7 @@ from missiontree.scheduling.board import Board
 from missiontree.scheduling.casting import Casting
 from missiontree.scheduling.demand import Demands
 from missiontree.scheduling.detours import Detours, Stance
+from missiontree.scheduling.passage import find_passage
 from missiontree.scheduling.stuck import StuckError
 from missiontree.scheduling.trips import Trip
 from missiontree.scheduling.world_state import RobotState
@@ -32,12 +33,15 @@ class Offer:
         Robots taken at once for roles that begin later, by role.
     stances
         Where robots set out that go to a charger before, by role.
+    departs
+        When robots set out, by leaf, where what they hold on the way keeps them from doing so at once.
     """
 
     start: int
     robots: dict[int, RobotState]
     mates: dict[int, RobotState]
     stances: dict[int, Stance] = field(default_factory=dict)
+    departs: Mapping[int, int] = field(default_factory=dict)
 
 
 def length(board: Board, activity: int, trips: Mapping[int, Trip | Blocked | None]) -> int:
@@ -88,17 +92,20 @@ class Placing:
         for _, action in actions:
             arrival = self._arrival(robots[action.role], action, ready, stances.get(action.role))
             start = max(start, arrival, board.world.not_before(action))
-        if activity in board.least_end or activity in board.problem.sharing.demand:
+        departs: Mapping[int, int] = {}
+        sharing = board.problem.sharing
+        if activity in board.least_end or activity in sharing.demand or sharing.on_ways:
             spots = {role: stances[role].spot if role in stances else robot.spot for role, robot in robots.items()}
             trips = {leaf: self._demands.trip(spots[action.role], action) for leaf, action in actions}
             lasts = length(board, activity, trips)
             start = max(start, board.least_end.get(activity, 0) - lasts)
             open_ended = activity in board.graph.until or activity in board.problem.hand_overs.taker
-            found = board.room(activity, start, None if open_ended else lasts)
+            who = {leaf: robots[action.role] for leaf, action in actions}
+            found = find_passage(board, activity, who, trips, start, None if open_ended else lasts)
             if found is None:
                 return None
-            start = found
-        return Offer(start, robots, {role: chosen[role] for role in mates}, stances)
+            start, departs = found.start, found.departs
+        return Offer(start, robots, {role: chosen[role] for role in mates}, stances, departs)
 
     def _stances(self, opening: Mapping[int, RobotState]) -> dict[int, Stance]:
         """Where robots set out that must refill before their roles, none in another's way."""

@@ -7,10 +7,12 @@ This is where what a solver says becomes a schedule of ours. A course that canno
 from __future__ import annotations
 
 import heapq
+from collections.abc import Mapping
 from dataclasses import replace
 from itertools import pairwise, permutations
 
 from missiontree.estimation.travel import Blocked
+from missiontree.mission.reason import Reason
 from missiontree.scheduling.availability import away
 from missiontree.scheduling.board import Board
 from missiontree.scheduling.charging import charge
@@ -21,6 +23,7 @@ from missiontree.scheduling.detours import Detours
 from missiontree.scheduling.homing import go_home
 from missiontree.scheduling.meeting import apart
 from missiontree.scheduling.mission_terms import terms_broken
+from missiontree.scheduling.passage import find_passage, hold_ways, wanted_by
 from missiontree.scheduling.placing import length
 from missiontree.scheduling.precedence import indegrees
 from missiontree.scheduling.problem import Done, Draft, Problem, Rule
@@ -128,10 +131,10 @@ class _Replay:
                 missing[after] -= 1
                 if not missing[after]:
                     heapq.heappush(ready, after)
-        if seen < len(missing) or not self._room_kept():
+        if seen < len(missing):
             return None
         go_home(board, self._detours)
-        return board.draft(())
+        return board.draft(()) if self._room_kept() else None
 
     def _room_kept(self) -> bool:
         """Whether shared resources have room for all who hold them."""
@@ -158,19 +161,29 @@ class _Replay:
             start = max(start, robots[leaf].free_at + way, board.world.not_before(action))
         lasts = length(board, activity, trips)
         start = max(start, board.least_end.get(activity, 0) - lasts)
+        departs: Mapping[int, int] = {}
+        if board.problem.sharing.on_ways:  # else the course says who waits for whom
+            lasting = activity in self._graph.until or activity in board.problem.hand_overs.taker
+            passage = find_passage(board, activity, robots, trips, start, None if lasting else lasts)
+            if passage is None:
+                name = self._graph.name(self._graph.activities[activity][0])
+                message = f"{name!r} finds no room in a shared resource."
+                raise StuckError(Reason(rule="deadlock", message=message, node=name))
+            start, departs = passage.start, passage.departs
         end = start + lasts
         for leaf, action in actions:
             trip, robot = trips[leaf], robots[leaf]
             assert not isinstance(trip, Blocked)
             charge(board, robot, action, trip)
-            leaves_at = start if action.moves else robot.free_at
+            leaves_at = start if action.moves else departs.get(leaf, robot.free_at)
             arrives_at = end if action.moves else leaves_at + _ticks(trip)
             board.done[leaf] = Done(leaf, robot.id, start, end, trip, leaves_at, arrives_at)
         board.world.do_jointly([(robots[leaf], action) for leaf, action in actions], start, end)
         board.placed[activity] = [(leaf, robots[leaf]) for leaf, _ in actions]
         board.time[2 * activity] = start
         board.time[2 * activity + 1] = max(board.time[2 * activity + 1], end)
-        board.bring(activity, start, end)
+        board.bring(activity, start, end, wanted_by(board, activity, trips) if board.held else {})
+        hold_ways(board, trips, departs)
         for giver in board.problem.hand_overs.givers(activity):
             board.hand_over(giver, start)
         for one in self._under_way.get(activity, ()):

@@ -67,10 +67,13 @@ def _meet(hold: Hold, start: int, end: int | None) -> bool:
 
 
 def room_for(
-    sharing: Sharing, activity: int, held: Callable[[str], Iterable[Hold]], ready: int, length: int | None
+    sharing: Sharing,
+    wanted: Mapping[str, int],
+    held: Callable[[str], Iterable[Hold]],
+    ready: int,
+    length: int | None,
 ) -> int | None:
-    """The first tick at which an activity finds room in everything that it holds; None if in something there is none as yet."""
-    wanted: Mapping[str, int] = sharing.demand.get(activity, {})
+    """The first tick at which so many robots find room in each of several resources; None if in something there is none as yet."""
     while wanted:
         start = ready
         for name, robots in wanted.items():

@@ -21,6 +21,7 @@ from missiontree.scheduling.deadlock import deadlock_reason
 from missiontree.scheduling.demand import Demands
 from missiontree.scheduling.detours import Detours
 from missiontree.scheduling.homing import go_home
+from missiontree.scheduling.passage import hold_ways, wanted_by
 from missiontree.scheduling.placing import Offer, Placing, length
 from missiontree.scheduling.pool import Pool
 from missiontree.scheduling.precedence import indegrees
@@ -137,12 +138,13 @@ class Run:
         for leaf, action in actions:
             trip = trips[leaf]
             assert not isinstance(trip, Blocked)
-            self._do(leaf, action, offer.robots[action.role], trip, offer.start, end)
+            self._do(leaf, action, offer.robots[action.role], trip, (offer.start, end, offer.departs.get(leaf)))
         board.world.do_jointly([(offer.robots[action.role], action) for _, action in actions], offer.start, end)
         board.placed[activity] = [(leaf, offer.robots[action.role]) for leaf, action in actions]
         board.time[2 * activity] = offer.start
         board.time[2 * activity + 1] = max(board.time[2 * activity + 1], end)
-        board.bring(activity, offer.start, end)
+        board.bring(activity, offer.start, end, wanted_by(board, activity, trips) if board.held else {})
+        hold_ways(board, trips, offer.departs)
         for role in offer.mates:
             first = board.first(role)
             if not board.missing[2 * first] and first not in board.placed and not self._under_way.holds(first):
@@ -155,15 +157,17 @@ class Run:
             self._queues.make_room()
         self._settle([2 * activity])
 
-    def _do(self, leaf: int, action: Action, robot: RobotState, trip: Trip | None, start: int, end: int) -> None:
-        board, role = self._board, action.role
+    def _do(
+        self, leaf: int, action: Action, robot: RobotState, trip: Trip | None, times: tuple[int, int, int | None]
+    ) -> None:
+        board, role, (start, end, sets_out) = self._board, action.role, times
         if not board.begun[role]:
             self._casting.bind(role, robot)
             robot.role = role
             board.open_roles[robot.type_id] -= 1
         board.begun[role] += 1
         charge(board, robot, action, trip)
-        departs = start if action.moves else robot.free_at
+        departs = start if action.moves else robot.free_at if sets_out is None else sets_out
         arrives = end if action.moves else departs + (trip.ticks if trip is not None else 0)
         board.done[leaf] = Done(leaf, robot.id, start, end, trip, departs, arrives)
 

@@ -29,10 +29,13 @@ class Sharing:
         How many robots may hold each resource at one time; only resources that are scarce are there.
     demand
         By activity: how many robots of it hold each resource, from its start to its end.
+    on_ways
+        Whether some resource is held on ways, whatever the activities hold. Default false.
     """
 
     capacity: Mapping[str, int] = field(default_factory=dict)
     demand: Mapping[int, Mapping[str, int]] = field(default_factory=dict)
+    on_ways: bool = False
 
     def __bool__(self) -> bool:
         return bool(self.capacity)
@@ -62,11 +65,17 @@ def sharing_of(graph: TaskGraph, scene: Scene) -> Sharing:
                     held = demand.setdefault(activity, {})
                     held[name] = held.get(name, 0) + 1
                     total[name] = total.get(name, 0) + 1
-    scarce = {name: scene.shared[name].capacity for name in sorted(total) if total[name] > scene.shared[name].capacity}
+    passed = {name for names in scene.passages.values() for name in names}
+    names = sorted({*total, *passed})
+    scarce = {
+        name: scene.shared[name].capacity
+        for name in names
+        if name in passed or total[name] > scene.shared[name].capacity
+    }
     kept = {
         activity: {name: count for name, count in held.items() if name in scarce} for activity, held in demand.items()
     }
-    return Sharing(scarce, {activity: held for activity, held in kept.items() if held})
+    return Sharing(scarce, {activity: held for activity, held in kept.items() if held}, bool(passed))
 
 
 def too_crowded(graph: TaskGraph, sharing: Sharing, scene: Scene) -> list[Reason]:

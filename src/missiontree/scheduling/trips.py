@@ -30,6 +30,8 @@ class Trip:
         Road nodes passed.
     origin, destination
         From where to where; None if unknown.
+    holds
+        Shared resources that are held all the way.
     """
 
     ticks: int
@@ -37,6 +39,7 @@ class Trip:
     via: tuple[str, ...] = ()
     origin: Spot = None
     destination: Spot = None
+    holds: tuple[str, ...] = ()
 
     @property
     def known(self) -> bool:
@@ -113,4 +116,4 @@ class Trips:
         if isinstance(leg, Blocked):
             return leg
         time = unknown if speed is None else ticks(travel_time_s(leg, speed))
-        return Trip(time, leg.distance_m, leg.via, origin, destination)
+        return Trip(time, leg.distance_m, leg.via, origin, destination, self.scene.passed(leg.via))

@@ -49,7 +49,7 @@ def _chain(plan: Plan | None) -> tuple[str, ...]:
         return ()
     tree = plan.grounding.tree
     schedule = next(one for one in plan.schedules if one.status in {"optimal", "feasible"})
-    steps = critical_chain(tree, schedule, plan.brief.world.resources)
+    steps = critical_chain(tree, schedule, plan.brief.world)
     return tuple(f"{step.start_s:g} s to {step.end_s:g} s: {step.robot}: {_does(tree, step)}" for step in steps)
 
 

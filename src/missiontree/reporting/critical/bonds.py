@@ -8,14 +8,14 @@ time and what has to pass in between, a way or an action. It is *bound* by a cau
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
 
 from missiontree.mission.chain import Bond
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
+from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
-from missiontree.mission.shared_resource import SharedResource
 from missiontree.mission.ticks import ticks
 from missiontree.reporting.critical.refills import refills_of
 from missiontree.reporting.critical.spans import Spans, ms
@@ -62,8 +62,8 @@ class Bonds:
         The grounded tree.
     schedule
         A schedule over its leaves.
-    resources
-        Shared resources of the scene. Default: none.
+    scene
+        Tells what robots share. Default: nothing.
     fleet
         Tells which robots come late. Default: none does.
     """
@@ -72,11 +72,12 @@ class Bonds:
         self,
         tree: GroundedTree,
         schedule: Schedule,
-        resources: Iterable[SharedResource] = (),
+        scene: Scene | None = None,
         fleet: Fleet | None = None,
     ) -> None:
         self.tree = tree
-        self.shared = {resource.id: resource for resource in resources}
+        self.shared = scene.shared if scene is not None else {}
+        self._ways = {leg.leaf: scene.passed(leg.via) for leg in schedule.legs} if scene is not None else {}
         self._fleet = fleet
         self.at: dict[int, ScheduledAction] = {one.leaf: one for one in schedule.actions}
         self.legs: dict[int, TravelLeg] = {leg.leaf: leg for leg in schedule.legs if self._leads(leg)}
@@ -85,8 +86,10 @@ class Bonds:
         self._robots: dict[str, list[tuple[int, int, int]]] = {}  # end, start, leaf
         self._brought: dict[str, list[int]] = {}  # leaves that move an entity
         self._used: dict[str, list[int]] = {}  # leaves done where an entity is
-        self._held_by: dict[str, list[int]] = {}  # leaves that hold a shared resource
         self._refills = refills_of(schedule)
+        self._held_by: dict[
+            str, list[tuple[int, int, Cause]]
+        ] = {}  # by shared resource: from when to when, and what its end is
         self._sort_leaves()
         self._spans = Spans(tree, self.at)
         self._held = self._spans.inherited("precedence")
@@ -107,6 +110,7 @@ class Bonds:
             yield from self._causes_of_end(event.leaf)
         elif event.kind == "departure":
             yield from self._free(event)
+            yield from self._resources(event)
         else:
             yield from self._causes_of_start(event)
             yield from (Cause("partner", Event("start", mate)) for mate in self.joint(event.leaf) if mate != event.leaf)
@@ -233,15 +237,25 @@ class Bonds:
                 if leaf not in mates and self.time(Event(kind, leaf)) <= now:
                     yield Cause("entity", Event(kind, leaf))
 
+    def holds(self, event: Event) -> tuple[str, ...]:
+        """Shared resources that are held from a start or a departure on."""
+        leaf = event.leaf
+        if event.kind == "departure":
+            return self._ways.get(leaf, ())
+        along = self._ways.get(leaf, ()) if self.tree.action(leaf).moves else ()
+        return tuple(dict.fromkeys((*self.tree.action(leaf).holds, *along)))
+
     def _resources(self, event: Event) -> Iterator[Cause]:
         """Who was the last to hold a shared resource that had no room until then."""
         now, mates = self.time(event), self.joint(event.leaf)
-        for name in self.tree.action(event.leaf).holds:
-            wanted = sum(name in self.tree.action(mate).holds for mate in mates)
-            others = [leaf for leaf in self._held_by.get(name, ()) if leaf not in mates]
-            before = [leaf for leaf in others if ms(self.at[leaf].start_s) < now <= ms(self.at[leaf].end_s)]
+        for name in self.holds(event):
+            wanted = 1
+            if event.kind == "start":
+                wanted = sum(name in self.holds(Event("start", mate)) for mate in mates)
+            held = [one for one in self._held_by.get(name, ()) if one[2].event.leaf not in mates]
+            before = [(end, cause) for start, end, cause in held if start < now <= end]
             if name in self.shared and len(before) + wanted > self.shared[name].capacity:
-                yield from (Cause("resource", Event("end", leaf)) for leaf in before if ms(self.at[leaf].end_s) == now)
+                yield from (cause for end, cause in before if end == now)
 
     def _leads(self, leg: TravelLeg) -> bool:
         """Whether a leg leads to a scheduled action and is not that action itself."""
@@ -259,8 +273,14 @@ class Bonds:
                 self._joint.setdefault(action.sync, []).append(leaf)
             if action.at is not None:
                 self._used.setdefault(action.at, []).append(leaf)
-            for name in action.holds:
-                self._held_by.setdefault(name, []).append(leaf)
+            for name in self.holds(Event("start", leaf)):
+                over = Cause("resource", Event("end", leaf))
+                self._held_by.setdefault(name, []).append((ms(one.start_s), ms(one.end_s), over))
+            if leaf in self.legs:
+                start, end = ms(self.legs[leaf].start_s), ms(self.legs[leaf].end_s)
+                over = Cause("resource", Event("departure", leaf), end - start, "travel")
+                for name in self._ways.get(leaf, ()):
+                    self._held_by.setdefault(name, []).append((start, end, over))
             for name in action.brings:
                 self._brought.setdefault(name, []).append(leaf)
         for done in self._robots.values():

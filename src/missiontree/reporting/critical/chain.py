@@ -8,21 +8,20 @@ schedule). Shares no code with the schedulers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 
 from missiontree.mission.chain import Bond, CriticalChain, Step, StepKind
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.plan import Plan
+from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import OwnLeg, Schedule
-from missiontree.mission.shared_resource import SharedResource
 from missiontree.reporting.critical.bonds import Bonds, Cause, Event
 from missiontree.reporting.critical.spans import ms
 
 
 def critical_chain(
-    tree: GroundedTree, schedule: Schedule, resources: Iterable[SharedResource] = (), fleet: Fleet | None = None
+    tree: GroundedTree, schedule: Schedule, scene: Scene | None = None, fleet: Fleet | None = None
 ) -> tuple[Step, ...]:
     """
     A critical chain, in order of time: contiguous, from 0 to the end of the last action, or of the last way home if that is later.
@@ -34,12 +33,12 @@ def critical_chain(
     ----------
     tree, schedule
         A schedule over the leaves of a tree.
-    resources
-        Shared resources of the scene. Default: none.
+    scene
+        Tells what robots share. Default: nothing.
     fleet
         Tells which robots come late. Default: none does.
     """
-    bonds = Bonds(tree, schedule, resources, fleet)
+    bonds = Bonds(tree, schedule, scene, fleet)
     end = max((ms(one.end_s) for one in schedule.actions), default=0)
     home = max(schedule.returns, key=lambda leg: (ms(leg.end_s), leg.robot), default=None)
     if home is not None and ms(home.end_s) > end:
@@ -54,7 +53,7 @@ def chain_of(plan: Plan, schedule: Schedule) -> CriticalChain:
     """The critical chain of a schedule of a plan, with what its time goes into."""
     assert plan.grounding is not None
     tree = plan.grounding.tree
-    steps = critical_chain(tree, schedule, plan.brief.world.resources, plan.brief.fleet)
+    steps = critical_chain(tree, schedule, plan.brief.world, plan.brief.fleet)
     spent = {"work": 0, "travel": 0, "waiting": 0}
     for step in steps:
         moving = step.kind in {"travel", "home"} or (step.kind == "action" and tree.action(step.leaf).moves)

@@ -29,9 +29,9 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
     """What there is to see of a schedule that has actions."""
     assert plan.grounding is not None
     tree = plan.grounding.tree
-    resources, fleet = plan.brief.world.resources, plan.brief.fleet
-    chain = critical_chain(tree, schedule, resources, fleet)
-    bonds = Bonds(tree, schedule, resources, fleet)
+    scene, fleet = plan.brief.world, plan.brief.fleet
+    chain = critical_chain(tree, schedule, scene, fleet)
+    bonds = Bonds(tree, schedule, scene, fleet)
     own: dict[str, list[ScheduledAction]] = {}
     for one in bonds.at.values():
         own.setdefault(one.robot, []).append(one)
@@ -69,7 +69,7 @@ def content_of(plan: Plan, schedule: Schedule) -> Content:
         list(_orders(tree, bonds, chain)),
         joint,
         tree.nodes[0].deadline_s,
-        shared_rows(tree, bonds.at.values(), resources, looks),
+        shared_rows(tree, schedule, scene, looks),
         handing_of(bonds),
         times_at(bonds),
     )

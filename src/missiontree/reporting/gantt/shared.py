@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from missiontree.mission.grounded import GroundedTree
-from missiontree.mission.schedule import ScheduledAction
-from missiontree.mission.shared_resource import SharedResource
+from missiontree.mission.scene import Scene
+from missiontree.mission.schedule import Schedule
 from missiontree.reporting.critical.spans import ms
 from missiontree.reporting.escape import one_line, xml_safe
 from missiontree.reporting.gantt.content import Hold, SharedRow
@@ -24,32 +24,38 @@ MAX_LANES = 8
 MAX_SHARED = 40
 
 
-def shared_rows(
-    tree: GroundedTree,
-    done: Iterable[ScheduledAction],
-    resources: Iterable[SharedResource],
-    looks: Mapping[str, Livery],
-) -> list[SharedRow]:
+def shared_rows(tree: GroundedTree, schedule: Schedule, scene: Scene, looks: Mapping[str, Livery]) -> list[SharedRow]:
     """A row for each resource that something holds, in the order of the scene."""
-    by_start = sorted(done, key=lambda one: (ms(one.start_s), ms(one.end_s), one.leaf))
     rows = []
-    for resource in resources:
+    for resource in scene.resources:
         free: list[int] = []  # by lane
         holds: list[Hold] = []
-        for one in by_start:
-            action = tree.action(one.leaf)
-            if resource.id not in action.holds:
-                continue
-            lane = next((lane for lane, until in enumerate(free) if until <= ms(one.start_s)), len(free))
-            free[lane : lane + 1] = [ms(one.end_s)]
-            title = (
-                f"{one.robot} holds {one_line(resource.label)}\n{one_line(action.text)}\n"
-                f"{exact(one.start_s)} to {exact(one.end_s)} ({exact(one.end_s - one.start_s)})"
-            )
-            holds.append(Hold(one.start_s, one.end_s, one.robot, looks.get(one.robot, Livery(0)), lane, title))
+        for start_s, end_s, robot, what in sorted(_held(tree, schedule, scene, resource.id)):
+            lane = next((lane for lane, until in enumerate(free) if until <= ms(start_s)), len(free))
+            free[lane : lane + 1] = [ms(end_s)]
+            times = f"{exact(start_s)} to {exact(end_s)} ({exact(end_s - start_s)})"
+            title = f"{robot} holds {one_line(resource.label)}\n{what}\n{times}"
+            holds.append(Hold(start_s, end_s, robot, looks.get(robot, Livery(0)), lane, title))
         if holds:
             rows.append(SharedRow(one_line(resource.label), resource.capacity, len(free), holds))
     return rows
+
+
+def _held(
+    tree: GroundedTree, schedule: Schedule, scene: Scene, resource: str
+) -> Iterator[tuple[float, float, str, str]]:
+    """From when to when, by whom, and for what: actions that name it, and ways along roads and by lifts that do."""
+    for one in schedule.actions:
+        if resource in tree.action(one.leaf).holds:
+            yield one.start_s, one.end_s, one.robot, one_line(tree.action(one.leaf).text)
+    for leg in schedule.legs:
+        action = tree.action(leg.leaf)
+        if resource in scene.passed(leg.via) and not (action.moves and resource in action.holds):
+            text = one_line(action.text)
+            yield leg.start_s, leg.end_s, leg.robot, text if action.moves else f"on the way to: {text}"
+    for home in schedule.returns:
+        if resource in scene.passed(home.via):
+            yield home.start_s, home.end_s, home.robot, "on the way home"
 
 
 def height_of(row: SharedRow) -> float:

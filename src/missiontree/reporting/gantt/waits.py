@@ -12,6 +12,8 @@ _TOLD = ("order", "entity", "resource", "partner", "under_way")
 def why_waited(bonds: Bonds, leaf: int) -> str:
     """In a line, what binds the start of an action, or its end; empty if the schedule does not say."""
     causes = [*_binding(bonds, Event("start", leaf)), *_binding(bonds, Event("end", leaf))]
+    if leaf in bonds.legs:
+        causes += _binding(bonds, Event("departure", leaf))
     told = [cause for cause in causes if cause.bond in _TOLD and not _idle_partner(bonds, cause)]
     cause = min(told, key=lambda cause: _TOLD.index(cause.bond), default=None)
     if cause is None and leaf in bonds.taker:
@@ -46,9 +48,7 @@ def _told(bonds: Bonds, cause: Cause, leaf: int) -> str:
 
 def _shared(bonds: Bonds, leaf: int, cause: Cause) -> str:
     """What two actions both hold, by its label."""
-    held = {*bonds.tree.action(cause.event.leaf).holds}
-    return " and ".join(
-        one_line(bonds.shared[name].label)
-        for name in bonds.tree.action(leaf).holds
-        if name in held & bonds.shared.keys()
-    )
+    theirs = cause.event if cause.event.kind == "departure" else Event("start", cause.event.leaf)
+    held = {*bonds.holds(theirs)} & bonds.shared.keys()
+    own = dict.fromkeys((*bonds.holds(Event("start", leaf)), *bonds.holds(Event("departure", leaf))))
+    return " and ".join(one_line(bonds.shared[name].label) for name in own if name in held)

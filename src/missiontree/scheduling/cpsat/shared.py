@@ -12,7 +12,7 @@ def add_sharing(model: Model, problem: Problem, times: Times) -> None:
     Room in every scarce resource.
 
     Intervals are not optional, so that sizes may vary (see :mod:`missiontree.scheduling.cpsat.heads`). Where several robots have room,
-    an activity that takes no time counts nothing: the model allows a little too much there.
+    an activity that takes no time counts nothing: the model allows a little too much there. What is held on ways is left out, too.
     """
     intervals: dict[int, int] = {}
     for activity in sorted(problem.sharing.demand):
@@ -23,6 +23,8 @@ def add_sharing(model: Model, problem: Problem, times: Times) -> None:
     for name, capacity in problem.sharing.capacity.items():
         holders = problem.sharing.holders(name)
         taken = tuple(intervals[activity] for activity in holders)
+        if not taken:
+            continue  # held on ways only, which the model leaves out
         if capacity == 1:
             model.add(NoOverlap(taken))
         else:

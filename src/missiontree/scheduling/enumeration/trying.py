@@ -140,6 +140,8 @@ class Trying:
         moment at which one hands over and another takes over what they hold: of that no course can tell the order.
         """
         sharing = self._problem.sharing
+        if sharing.on_ways:  # nor does an order of starts tell who sets out first
+            return True
         if self._problem.hand_overs and (
             self._graph.until or any(not self._bounds.duration[one] for one in sharing.demand)
         ):
@@ -369,7 +371,7 @@ class Trying:
             taken = [(one, robots) for one, robots in there if one not in givers]
             return [Hold(state.starts[one], self._known_end(state, one), robots) for one, robots in taken]
 
-        return room_for(sharing, activity, held, start, length)
+        return room_for(sharing, sharing.demand[activity], held, start, length)
 
     def _known_end(self, state: State, activity: int) -> int | None:
         if activity in self._takers:  # held until it is handed over
