@@ -8,6 +8,7 @@ from itertools import combinations
 
 from missiontree.authoring.outcome import Authored
 from missiontree.briefing import Request
+from missiontree.explaining.lost import lost_uses
 from missiontree.mission.control import Control
 from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.tree import MissionNode, MissionTree
@@ -27,6 +28,8 @@ def best_by_force(request: Request, authored: Authored, weight: dict[str, Fracti
         worth = weight[tree.root.id] - sum(weight[node] for node in left_out)
         if best is not None and worth <= best:
             continue
+        if not lost_uses(kept, request.brief) <= lost_uses(tree, request.brief):
+            continue  # somebody lost would be fetched with nobody to find him first
         made = plan_authored(request, _with(authored, kept), Control())
         if made.outcome == "delivered":
             best = worth

@@ -144,6 +144,20 @@ def test_a_weight_for_what_is_no_part_is_refused_with_what_is_meant() -> None:
     assert "Search(cat)" in refusal.value.hint
 
 
+def test_what_is_lost_is_not_fetched_where_nobody_can_look_for_it() -> None:
+    """Without searchers the cat could be carried, but nobody knows where it is: the search and the carrying are left out both."""
+    tree = rescue_tree()
+    plan = nearest(tree, brief_of(tree, min_quality={"Search": 0.5}, without=("tele_robot",)))
+    assert plan is None  # the firefighter cannot be searched for either
+    fleet = brief_of(tree).fleet
+    kinds = tuple(replace(kind, zones=None) for kind in fleet.types)
+    plan = nearest(
+        replace(tree, nodes=(*tree.nodes[:1], replace(tree.nodes[1], routine="Reach"), *tree.nodes[2:])),
+        brief_of(tree, fleet=replace(fleet, types=kinds), min_quality={"Search": 0.5}, without=("tele_robot",)),
+    )
+    assert left_out(plan) == ["cat", "bring"]
+
+
 def test_goals_say_how_much_they_count() -> None:
     """One searcher and 140 s for three searches of 67 s: two can be done, and not the one that counts least."""
     brief = brief_of(

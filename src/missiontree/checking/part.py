@@ -13,6 +13,7 @@ from missiontree.checking.fault import Fault
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.partial import Partial
 from missiontree.mission.plan import Plan
+from missiontree.mission.routine import Routine
 from missiontree.mission.tree import MissionTree
 from missiontree.routines.ground import ground
 from missiontree.routines.open_ended import pointless_until
@@ -193,7 +194,7 @@ def _possible(plan: Plan, whole: MissionTree, left_out: tuple[str, ...]) -> bool
     tree = _rest(whole, list(left_out), plan.brief)
     if tree is None or tree.open_leaves:
         return False
-    if plan.brief.estimator is not None:
+    if plan.brief.estimator is not None or _search_left_out(whole, left_out, plan.brief):
         return None
     try:
         grounding = ground(tree, plan.brief)
@@ -203,6 +204,33 @@ def _possible(plan: Plan, whole: MissionTree, left_out: tuple[str, ...]) -> bool
     for staffing in best_first(case):
         return None if staffing is None else True
     return False
+
+
+def _search_left_out(whole: MissionTree, left_out: tuple[str, ...], brief: MissionBrief) -> bool:
+    """Whether something is left out that may find somebody with whom the rest has to do: then there may be nobody to fetch."""
+    gone = {node.id for node in whole.nodes for top in left_out if whole.contains(top, node.id)}
+    found = {
+        node.arguments.get(step.finds)
+        for node in whole.nodes
+        if node.id in gone and node.routine is not None
+        for routine in _with_parts(node.routine, brief)
+        for branch in routine.branches
+        for role in branch.roles
+        for step in role.actions
+        if step.finds is not None
+    }
+    return any(found & set(node.arguments.values()) for node in whole.nodes if node.id not in gone)
+
+
+def _with_parts(name: str, brief: MissionBrief) -> list[Routine]:
+    """A routine, and all that it is composed of."""
+    known = [brief.routines.by_id[name]] if name in brief.routines.by_id else []
+    for routine in known:
+        for part in routine.parts:
+            other = brief.routines.by_id.get(part.routine)
+            if other is not None and other not in known:
+                known.append(other)
+    return known
 
 
 def _nothing_but_robots(case: Case, partial: Partial) -> bool:

@@ -10,7 +10,7 @@ before it kept. So the first set that can be done is the lightest, and that is t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from heapq import heappop, heappush
 from itertools import count
@@ -19,6 +19,7 @@ from missiontree.authoring.outcome import Authored
 from missiontree.briefing import Request
 from missiontree.checking import check
 from missiontree.errors import InternalError
+from missiontree.explaining.lost import lost_uses
 from missiontree.explaining.relaxed import Fixed, Relaxed
 from missiontree.explaining.weighing import in_steps, parts_of, topmost, weights_of, without_parts
 from missiontree.explaining.whole import as_given, wholly_authored, wholly_understood
@@ -133,6 +134,7 @@ class _Search:
         self.parts = [part.id for part in parts_of(tree)]
         self.relaxed = Relaxed(tree, grounded, request.brief, self.steps)
         self.proven = whole.outcome == "cannot_be_done" and not request.brief.terms.judged_by_estimator
+        self.lost = lost_uses(self._rest([leaf.id for leaf in tree.open_leaves]), request.brief)
         self.examined = 0
         self.waiting: list[tuple[int, int, int, _Set]] = []
         self.number = count()
@@ -168,13 +170,19 @@ class _Search:
         cost = sum(self.steps[part] for part in left_out)
         heappush(self.waiting, (cost, len(left_out), next(self.number), _Set(left_out, fixed, bound.decided)))
 
+    def _rest(self, left_out: Collection[str]) -> MissionTree:
+        return without_parts(self.tree, left_out, self.request.brief.routines)
+
     def _planned(self, left_out: tuple[str, ...]) -> Plan:
-        kept = replace(self.authored, tree=without_parts(self.tree, left_out, self.request.brief.routines))
+        """The plan of what is left; the whole, which cannot be done, where somebody would be fetched whom nobody finds first."""
+        if not lost_uses(self._rest(left_out), self.request.brief) <= self.lost:
+            return self.whole
+        kept = replace(self.authored, tree=self._rest(left_out))
         return plan_authored(self.request, kept, self.control.part(SHARE))
 
     def _why_not_whole(self, left_out: tuple[str, ...]) -> tuple[Reason, ...]:
         """Why the whole cannot be done, without what was not offered for parts that are done."""
-        done = without_parts(self.tree, left_out, self.request.brief.routines).by_id
+        done = self._rest(left_out).by_id
         needed = tuple(reason for reason in self.whole.reasons if reason.node not in done)
         return needed or self.whole.reasons
 
