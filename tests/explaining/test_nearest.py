@@ -20,7 +20,7 @@ from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.goal import Goal
 from missiontree.mission.plan import Plan
-from missiontree.mission.tree import Link, MissionNode, MissionTree
+from missiontree.mission.tree import Link, LinkKind, MissionNode, MissionTree
 from missiontree.planner import author, plan_authored
 from missiontree.reporting.text import plan_text
 from missiontree.routines.library import built_in
@@ -156,6 +156,26 @@ def test_what_is_lost_is_not_fetched_where_nobody_can_look_for_it() -> None:
         brief_of(tree, fleet=replace(fleet, types=kinds), min_quality={"Search": 0.5}, without=("tele_robot",)),
     )
     assert left_out(plan) == ["cat", "bring"]
+
+
+@pytest.mark.parametrize("kind", ["same_robot", "different_robot"])
+def test_links_about_robots_do_not_speak_of_who_does_what_is_left_out(kind: LinkKind) -> None:
+    """In each of two tasks the carrying cannot be done: both searches stay, by one robot or by two as the link of the tasks says."""
+    leaves = [routine_node(name, "Search", agent=name) for name in "ab"]
+    carried = [routine_node(f"carry-{name}", "Transport", agent=name, location="c") for name in "ab"]
+    tasks = [
+        MissionNode(id=f"task-{name}", label=f"Task {name}", gate="and", children=(name, f"carry-{name}"))
+        for name in "ab"
+    ]
+    root = MissionNode(id="root", label="Mission", gate="and", children=("task-a", "task-b"))
+    nodes = (root, tasks[0], leaves[0], carried[0], tasks[1], leaves[1], carried[1])
+    tree = MissionTree(objective="Mission", nodes=nodes, links=(Link("task-a", "task-b", kind),), entities=THINGS)
+    fleet = Fleet((RobotType(id="eye", count=2, capabilities={"search": 1.0}),))
+    plan = nearest(tree, brief_of(tree, fleet=fleet, check_kinds=False))
+    assert left_out(plan) == ["carry-a", "carry-b"]
+    assert plan is not None
+    robots = {assigned.robot for assigned in plan.schedules[0].assignments}
+    assert len(robots) == (1 if kind == "same_robot" else 2)
 
 
 def test_goals_say_how_much_they_count() -> None:

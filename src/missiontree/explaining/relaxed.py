@@ -9,7 +9,7 @@ mission are left aside, since in a part of it they may be others.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from missiontree.allocation.flat import flatten
@@ -23,6 +23,8 @@ from missiontree.mission.tree import MissionTree
 
 LEAVING = "leaving_out"
 _NAMES = tuple(f"{LEAVING}_{number}" for number in range(1_000))
+MOST_PAIRS = 2_000
+
 COUNTED = Weights(1.0, 0.0, 1.0)
 """Costs alone are counted, since all qualities are 0 here."""
 
@@ -83,7 +85,7 @@ class Relaxed:
         for index, node in enumerate(tree.nodes):
             if node.source is not None:
                 self.top.setdefault(node.source, index)
-        self.links = tuple(link for link in tree.links if self._authored(link))
+        self.links = tuple(apart for link in tree.links if self._authored(link) for apart in self._taken_apart(link))
         self.leaver = next(name for name in _NAMES if name not in brief.fleet.by_id)
         leaver = RobotType(id=self.leaver, capabilities={LEAVING: Capability(0.0)}, count=1)
         self.fleet = replace(brief.fleet, types=(*brief.fleet.types, leaver))
@@ -93,6 +95,29 @@ class Relaxed:
         first, second = (self.tree.nodes[end].source for end in (link.first, link.second))
         own = {(one.first, one.second, one.kind) for one in self.mission.links}
         return first == second or (first, second, link.kind) in own
+
+    def _taken_apart(self, link: GroundedLink) -> Iterator[GroundedLink]:
+        """
+        A link about robots between the routines below its ends, so that it does not speak of who "does" what is left out.
+
+        Hand-overs between tasks, and links between very many routines, are left aside, which only loosens the mission.
+        """
+        first, second = (self._routines(end) for end in (link.first, link.second))
+        if link.kind in {"precedence", "until"} or (first == [link.first] and second == [link.second]):
+            yield link
+        elif link.kind != "hand_over" and len(first) * len(second) <= MOST_PAIRS:
+            yield from (GroundedLink(one, other, link.kind) for one in first for other in second)
+
+    def _routines(self, node: int) -> list[int]:
+        """Tops of the routines at or below a node; a node inside a routine is its own."""
+        source = self.tree.nodes[node].source
+        if source is None or self.top[source] != node or self.mission.by_id[source].routine is not None:
+            return [node]
+        return [
+            self.top[one.id]
+            for one in self.mission.nodes
+            if one.id in self.top and one.routine is not None and self.mission.contains(source, one.id)
+        ]
 
     def least(self, optional: Collection[str], fixed: Fixed, control: Control) -> Bound | None:
         """
