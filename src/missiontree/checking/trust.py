@@ -112,7 +112,7 @@ def _declared(case: Case) -> Iterator[Reason]:
 def _part(case: Case) -> Iterator[Reason]:
     partial = case.plan.partial
     if partial is not None and judge_part(case) is not True:
-        larger = "" if partial.claim == "found" else ", and that no larger part of it can"
+        larger = "" if partial.claim == "found" else ", and that no larger part of it can,"
         yield _notice(
             "part_on_trust",
             f"That the whole mission cannot be done{larger} is taken on the planner's word.",

@@ -71,6 +71,7 @@ def what_without(plan: Plan, request: Request, names: Sequence[str], control: Co
     )
     certificate = other[0].certificate if made.chosen is None else made.chosen.option.certificate
     proven = certificate.claim == "proven"
+    what = "the mission" if plan.partial is None else "this part of the mission"
     unchanged = () if moved else ("Nobody does anything else than before.",)
     return WhyNot(
         question=question,
@@ -78,7 +79,7 @@ def what_without(plan: Plan, request: Request, names: Sequence[str], control: Co
             best[0].utility, other[0].utility, best[1].makespan_s, other[1].makespan_s, plan.brief.objective
         ),
         claim="proven" if proven else "found",
-        words=(f"Without {shown} the mission can still be done: {compared}.", *unchanged, *moved_in_words(moved)),
+        words=(f"Without {shown} {what} can still be done: {compared}.", *unchanged, *moved_in_words(moved)),
         asked_utility=other[0].utility,
         asked_makespan_s=other[1].makespan_s,
         moved=moved,
