@@ -9,7 +9,9 @@ from typing import Any
 
 import pytest
 
+from benchmarks.campaign import made
 from benchmarks.choice_cases import ChoiceCase, Written, all_written
+from benchmarks.front_agreement import CAMPAIGN
 from benchmarks.schedule_cases import ScheduleCase
 from missiontree.allocation.kbest import ExactKBest
 from missiontree.mission.brief import MissionBrief
@@ -139,3 +141,10 @@ def worth(case: ChoiceCase, option: Option) -> float:
     busy_s += sum(leg.end_s - leg.start_s for leg in schedule.legs if not actions[leg.leaf].moves)
     timeless = sum(weights.alpha * one.estimate.quality - weights.gamma * one.estimate.cost for one in actions.values())
     return timeless - weights.beta * busy_s
+
+
+def test_the_campaign_of_random_missions_finds_no_false_word() -> None:
+    """Six missions with all rules that schedules keep; the full campaign has two thousand."""
+    seen = made(CAMPAIGN, 1, 0, 6)
+    assert seen.violations == {}
+    assert sum(counts["missions"] for counts in seen.rows.values()) == 6
