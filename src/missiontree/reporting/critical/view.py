@@ -58,7 +58,7 @@ def chain_view(plan: Plan, schedule: Schedule, most: int | None = None) -> Group
     table.add_column(no_wrap=True, justify="right")
     table.add_column(no_wrap=True)
     table.add_column()
-    for part in _both_ends(parts, most):
+    for part in both_ends(parts, most):
         if part is None:
             table.add_row(
                 "", "", Text(f"… {len(parts) - (most or 0)} more; --why-so-long tells all of them", style="dim")
@@ -88,7 +88,7 @@ def why_view(why: WhySoLong, plan: Plan, schedule: Schedule) -> Group:
     return Group(*lines)
 
 
-def _both_ends(parts: Sequence[Part], most: int | None) -> Iterator[Part | None]:
+def both_ends(parts: Sequence[Part], most: int | None) -> Iterator[Part | None]:
     """The parts to be told, None where some are left out."""
     if most is None or len(parts) <= most + 1:
         yield from parts
@@ -99,12 +99,13 @@ def _both_ends(parts: Sequence[Part], most: int | None) -> Iterator[Part | None]
 
 
 def _what(part: Part) -> Text:
-    line = Text(part.what, style="dim" if part.waits else "")
-    lasts_s = part.end_s - part.start_s
-    if part.travel_s and part.travel_s < lasts_s - 5e-4:
-        line.append(f", {in_words(part.travel_s)} of it on the way", style="dim")
-    elif part.travel_s:
-        line.append(", all of it on the way", style="dim")
-    if part.after:
-        line.append(f"; {part.after}", style="dim")
-    return line
+    return Text(part.what, style="dim" if part.waits else "").append(more_of(part), style="dim")
+
+
+def more_of(part: Part) -> str:
+    """What is added to what a part is: how much of it is on the way, and what it waits for."""
+    travel = ""
+    if part.travel_s:
+        whole = part.travel_s >= part.end_s - part.start_s - 5e-4
+        travel = ", all of it on the way" if whole else f", {in_words(part.travel_s)} of it on the way"
+    return travel + (f"; {part.after}" if part.after else "")

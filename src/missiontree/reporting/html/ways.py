@@ -10,6 +10,7 @@ from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
 from missiontree.reporting.html.crew import Crew, crew
 from missiontree.reporting.html.facts import Fact, facts
+from missiontree.reporting.html.length import Length, length
 from missiontree.reporting.html.pictures import Drawn, drawn
 from missiontree.reporting.html.remarks import Remarks, remarks
 from missiontree.reporting.html.thresholds import thresholds
@@ -51,6 +52,8 @@ class Way:
         Limits used against allowed.
     unscheduled
         Why there is no schedule; empty if there is one.
+    length
+        Why the schedule takes as long as it does; None without a schedule, or if nothing takes time.
     """
 
     rank: int
@@ -62,6 +65,7 @@ class Way:
     timetable: Timetable | None
     limits: tuple[Used, ...]
     unscheduled: Remarks
+    length: Length | None = None
 
 
 def ways(plan: Plan, first: int) -> tuple[Way, ...]:
@@ -104,6 +108,7 @@ def _way(plan: Plan, alternative: Alternative) -> Way:
         timetable=timetable(plan, schedule) if schedule is not None and works else None,
         limits=tuple(_limits(plan, alternative, schedule)) if schedule is not None and works else (),
         unscheduled=remarks(schedule.reasons if schedule is not None and not works else ()),
+        length=length(plan, schedule) if schedule is not None and works else None,
     )
 
 
