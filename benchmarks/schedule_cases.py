@@ -79,6 +79,10 @@ def random_schedule_case(rng: Random) -> ScheduleCase:
     draw.features = {name for name in FEATURES if rng.random() < 0.45}
     if "things" in draw.features:
         draw.features.add("travel")
+    if "handing" in draw.features:
+        draw.features.discard(
+            "until"
+        )  # an action may last until one ends with a hand-over to a third that waits for it: all at once
     fleet = _fleet(draw)
     tree = _tree(draw, fleet)
     scene = _scene(draw)

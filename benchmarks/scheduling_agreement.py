@@ -85,21 +85,13 @@ def _claims(case: ScheduleCase, result: Schedule, truth: int | None) -> Iterator
             yield "false bounds", f"{bound} by {result.certificate.method}, where the least is {truth}"
         if result.status == "optimal" and makespan != truth:
             yield "false proofs", f"{makespan} by {result.certificate.method}, where the least is {truth}"
-        if truth is not None and makespan > truth and not _may_fall_short(case) and "chargers" not in case.features:
+        if truth is not None and makespan > truth and "chargers" not in case.features:
             yield "gaps", f"{makespan}, where the least is {truth}"
     elif truth is not None and not _may_be_without(case, result):
         yield (
             ("false proofs" if result.status == "infeasible" else "gaps"),
             f"{result.status}, and the least is {truth}",
         )
-
-
-def _may_fall_short(case: ScheduleCase) -> bool:
-    """
-    Whether a schedule may be missed, though never a false word be said: with both hand-overs and until links, a robot may be free at the
-    very moment at which it takes over, because somebody hands over to it then, and nothing plays that through.
-    """
-    return {"until", "handing"} <= case.features
 
 
 def _may_wait(case: ScheduleCase) -> bool:
@@ -115,7 +107,7 @@ def _may_be_without(case: ScheduleCase, result: Schedule) -> bool:
     """Whether a schedule may be missed, or levels, which the oracle takes to last for ever, may keep a mission from having one."""
     if "chargers" in case.features and result.certificate.method == "budget_bound":
         return True
-    return result.status == "unknown" and (_may_fall_short(case) or "chargers" in case.features)
+    return result.status == "unknown" and "chargers" in case.features
 
 
 def _tells_order(case: ScheduleCase, result: Schedule) -> bool:
