@@ -62,8 +62,8 @@ class Telling:
         """Limits of one run whose start is told."""
 
         @contextmanager
-        def told(time_limit_s: float | None, seed: int) -> Iterator[Control]:
-            with controlled(time_limit_s, seed) as control:
+        def told(*given: Any, **named: Any) -> Iterator[Control]:
+            with controlled(*given, **named) as control:
                 self.tell(f"begun {control.started}")
                 yield self.heard(control, "whole")
 
