@@ -6,7 +6,8 @@ usage: python -m benchmarks.explained --count 10000 --seed 1 --state explained.j
 Runs with even numbers are missions that the planner proves impossible after one change, and could do before it. Their explanation must
 tell a cause that names what was changed, and offer what undoes it, or something cheaper; every repair must lead to a plan that the checker
 finds sound, and where a number is said to be the smallest proven, the next smaller one, planned apart with the exhaustive allocator and the
-constraint solver, must not do. Runs with odd numbers are missions that can be done, and must be told so.
+constraint solver, must not do. Of every fifth of them changes that cost less than what is said to be the cheapest are planned apart, too.
+Runs with odd numbers are missions that can be done, and must be told so.
 """
 
 from __future__ import annotations
@@ -22,9 +23,9 @@ from missiontree.authoring.outcome import Authored
 from missiontree.briefing import Request
 from missiontree.checking import check
 from missiontree.explaining.case import Case
-from missiontree.explaining.changes.families import applied
+from missiontree.explaining.changes.families import applied, candidates, in_words
 from missiontree.explaining.explain import explained
-from missiontree.explaining.grid import WHOLE, at_step, step_of
+from missiontree.explaining.grid import WHOLE, at_step, sized, step_of
 from missiontree.mission.change import Change
 from missiontree.mission.control import Control
 from missiontree.mission.explanation import Explanation, Repair
@@ -34,15 +35,16 @@ from missiontree.planner import plan_authored
 MOST_DRAWN = 400
 MOST_OF_ONE_WAY = 10
 MOST_REPAIRS = 40
-NO_CAUSE, NO_REPAIR, UNSOUND, NOT_SMALLEST, DENIED = (
-    "cause not found", "known repair not offered", "repair without a sound plan", "smaller would do", "possible, called impossible",
+NO_CAUSE, NO_REPAIR, UNSOUND, NOT_SMALLEST, CHEAPER, DENIED = (
+    "cause not found", "known repair not offered", "repair without a sound plan", "smaller would do",
+    "cheaper would do", "possible, called impossible",
 )  # fmt: skip
 
 
 def judge(seed: int, index: int) -> Verdict:
     """One mission, explained and held against what is known of it."""
     rng = luck(seed, index)
-    return _possible(rng) if index % 2 else _broken(rng, BREAKS[index // 2 % len(BREAKS)])
+    return _possible(rng) if index % 2 else _broken(rng, BREAKS[index // 2 % len(BREAKS)], index)
 
 
 def _possible(rng: Random) -> Verdict:
@@ -52,7 +54,7 @@ def _possible(rng: Random) -> Verdict:
     return Verdict("can be done", violations=denied)
 
 
-def _broken(rng: Random, first: Break) -> Verdict:
+def _broken(rng: Random, first: Break, index: int) -> Verdict:
     request, known, name, plan = cannot_be_done(rng, first)
     began = time.perf_counter()
     told = explained(plan, request, Control(), MOST_REPAIRS).told
@@ -66,6 +68,8 @@ def _broken(rng: Random, first: Break) -> Verdict:
         if repair.plan is None or repair.plan.outcome != "delivered" or check(repair.plan):
             violations.append((UNSOUND, repair.words))
     violations += [(NOT_SMALLEST, repair.words) for repair in told.repairs[:2] if smaller_does(case, request, repair)]
+    if told.cheapest == "proven" and index % 10 == 0:
+        violations += [(CHEAPER, words) for words in cheaper_ones(case, request, told.repairs[0])]
     cheapest = told.repairs[0].changes[0].kind if told.repairs else "none"
     counts = {
         "smallest proven": sum(repair.claim == "smallest_proven" for repair in told.repairs),
@@ -173,8 +177,23 @@ def smaller_does(case: Case, request: Request, repair: Repair) -> bool:
     return _plan(apart).outcome == "delivered"
 
 
+def cheaper_ones(case: Case, request: Request, first: Repair) -> list[str]:
+    """Changes without a number that cost less than the repair said to be the cheapest, and work all the same; planned apart."""
+    found = []
+    for change in candidates(case):
+        if sized(change) or change.kind in {"drop_part", "clear_cells"} or request.costs.of(change) >= first.cost:
+            continue
+        changed = applied(case, [change])
+        apart = replace(
+            request, brief=changed.brief, tree=changed.tree, allocator="exhaustive", scheduler="cpsat", k=20
+        )
+        if _plan(apart).outcome == "delivered":
+            found.append(in_words(case, [change]))
+    return found
+
+
 CAMPAIGN = Campaign(
-    "explained", __doc__ or "", 10_000, judge, (NO_CAUSE, NO_REPAIR, UNSOUND, NOT_SMALLEST, DENIED), "missions"
+    "explained", __doc__ or "", 10_000, judge, (NO_CAUSE, NO_REPAIR, UNSOUND, NOT_SMALLEST, CHEAPER, DENIED), "missions"
 )
 
 if __name__ == "__main__":
