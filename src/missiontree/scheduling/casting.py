@@ -14,6 +14,8 @@ from missiontree.scheduling.matching import match
 from missiontree.scheduling.pool import Pool
 from missiontree.scheduling.world_state import RobotState
 
+LOOKS_PER_DETOUR = 30
+"""What it costs to see where a robot would refill, in robots looked at."""
 _Ranked = tuple[bool, int, int, float, int, RobotState]
 
 
@@ -71,7 +73,7 @@ class Casting:
         beginners = None if bound is not None else self._beginners(type_id, alone)
         ranked: list[_Ranked] = []
         for robot in self._pool.robots(type_id, self._together(role)) if bound is None else [bound]:
-            self.looked += 1
+            self.looked += LOOKS_PER_DETOUR if refilled else 1
             if beginners is not None and not robot.used and robot.id not in beginners:
                 continue
             if robot.role is not None or (robot.promised is not None and robot.promised != crew):

@@ -86,6 +86,7 @@ class Detours:
 
     def __init__(self, board: Board, demands: Demands) -> None:
         self._board, self._demands, self._chargers = board, demands, board.problem.chargers
+        self._known: dict[tuple[int, str], tuple[object, Stance | None]] = {}  # with all that the answer depends on
         self._per_m = {kind.id: dict(kind.uses_per_m) for kind in board.problem.fleet.types}
 
     def refills(self, type_id: str) -> bool:
@@ -111,6 +112,16 @@ class Detours:
         if more is None:
             others = self._board.problem.fleet.by_id[robot.type_id].usable - 1
             more = self._board.open_roles[robot.type_id] - 1 > (others if self._board.rule.refill == "enough" else 0)
+        if taken:
+            return self._seek(role, robot, taken, more=more)
+        board, levels = self._board, tuple(robot.left[name] for name in sorted(self._chargers.refilled[robot.type_id]))
+        state = robot.free_at, robot.stand, levels, len(board.refills), board.world.moves, more
+        key = board.problem.alike[role], robot.id
+        if key not in self._known or self._known[key][0] != state:
+            self._known[key] = state, self._seek(role, robot, (), more=more)
+        return self._known[key][1]
+
+    def _seek(self, role: int, robot: RobotState, taken: Sequence[Refill], *, more: bool) -> Stance | None:
         full = more and self._board.rule.refill == "full"
         for careful in (True, False):
             stance = self._find(robot, self._asked(role, robot, more=more, careful=careful), taken, full=full)
