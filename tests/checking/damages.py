@@ -22,6 +22,7 @@ from missiontree.mission.fleet import Robot, RobotType
 from missiontree.mission.front import Option
 from missiontree.mission.grounded import GroundedNode, GroundedTree, Grounding
 from missiontree.mission.limit_use import LimitUse
+from missiontree.mission.objective import WEIGHTED
 from missiontree.mission.partial import LeftOut
 from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
@@ -800,7 +801,7 @@ def weights_changed(plan: Plan) -> Iterator[Plan]:
 @breaks("utility_wrong")
 def accumulated_otherwise(plan: Plan) -> Iterator[Plan]:
     for how in ("sum", "mean", "min"):
-        if how != plan.brief.accumulate:
+        if how != plan.brief.accumulate and plan.brief.objective not in WEIGHTED:  # which add up by their meaning
             yield with_brief(plan, accumulate=how)
 
 

@@ -1,4 +1,4 @@
-"""The compiled inner loops, ready to be used: they are compiled, or loaded, beforehand, and that may be broken off."""
+"""The compiled inner loops, ready to be used: they are compiled, or loaded, beforehand, and nobody has to wait for it."""
 
 from __future__ import annotations
 
@@ -37,4 +37,4 @@ def is_warm() -> bool:
 
 def engine_unless(ended: Callable[[], bool]) -> Engine | None:
     """The compiled functions; None if somebody says stop before they are ready."""
-    return warm_engine() if is_warm() else aside(warm_engine, ended)
+    return warm_engine() if is_warm() else aside(warm_engine, ended, whole=True)

@@ -135,7 +135,7 @@ def zone_forbidden(case: Case) -> Iterator[Fault]:
 
 
 def action_differs(case: Case) -> Iterator[Fault]:
-    """An action is not what its routine and the fleet make of it: place, duration, use of budgets, or what it brings or finds."""
+    """An action is not what its routine and the fleet make of it: place, duration, use of budgets, or what it brings, finds or holds."""
     for part in _parts(case):
         kind = case.fleet.by_id.get(part.actions[0].robot_type)
         problems = [_difference(case, reading, part, kind) for reading in part.readings]

@@ -3,7 +3,7 @@ Work that cannot be asked to stop, done beside whoever waits for it, and left be
 
 Loading a large library, compiling, and some solvers look at no clock. They are given a thread. Who waits looks up every few milliseconds,
 and goes on without an answer once it is told to end. What was left behind is broken off at the next step of Python that it takes, unless
-half of it would do harm, as with an import.
+half of it would do harm, as with an import or a compiler, whose callbacks cannot raise.
 """
 
 from __future__ import annotations

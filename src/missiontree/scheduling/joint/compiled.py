@@ -100,4 +100,4 @@ def engine_for(actions: int, limit_s: float, ended: Callable[[], bool]) -> Engin
         return PLAIN
     if fast_engine.cache_info().currsize > 0:
         return fast_engine()
-    return (aside(fast_engine, ended) if limit_s >= WORTH_S else None) or PLAIN
+    return (aside(fast_engine, ended, whole=True) if limit_s >= WORTH_S else None) or PLAIN
