@@ -22,6 +22,8 @@ def test_no_sound_schedule_is_shorter_than_the_bound() -> None:
             own = least_makespan(case, timetable)
             assert own is not None
             assert own <= round(timetable.schedule.makespan_s * 1000), f"seed {seed}"
+            if timetable.schedule.certificate.method == "enumeration":
+                continue  # which proves what no bound does
             claimed += 1
             confirmed += own >= claimed_bound(timetable.schedule) - 1
     assert claimed > 50

@@ -34,6 +34,8 @@ FREE = tuple(
         r"(assumptions|notices)/\d+/(rule|message|hint|found|needed|severity)",  # the author's; grounding's are compared
         # what an estimator of the user's own said of those who are not good enough, and more than is asked of it
         r"grounding/estimates/\d+/estimate/(quality|duration_s|cost)",
+        # of a plan for a part of the mission: what is left out of it, and why; a sound plan says nothing of either
+        r"partial/whole/(links|nodes/\d+/(arguments(/\w+)?|label|routine))|reasons(/\d+(/\w+)?)?",
         # how the author understood the text, and what took part
         r"provenance/(reading(/\d+)?|allocator|scheduler|seed|versions(/\w+)?)",
     )
