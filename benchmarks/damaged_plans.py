@@ -47,7 +47,7 @@ def base(seed: int, number: int) -> Plan | None:
     if number < len(PLANS):
         return list(PLANS.values())[number]()
     tree, brief = (ruled_mission if number % 2 else random_mission)(seed * MANY + number)
-    weighed = number % 4 < 2  # half of all plans have a front and a choice
+    weighed = number % 8 < 2  # a quarter of all plans have a front and a choice, which take long to make
     plan = made(tree, replace(brief, objective="makespan") if weighed else brief, front=weighed)
     works = plan.schedules and all(one.status in {"optimal", "feasible"} for one in plan.schedules)
     return plan if plan.outcome == "delivered" and works else None

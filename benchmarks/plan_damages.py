@@ -161,10 +161,12 @@ def used(plan: Plan, schedule: Schedule) -> Mapping[tuple[str, str], float]:
 
 
 def budget_cut(plan: Plan) -> Iterator[Plan]:
-    """A robot's type has nine tenths of what the robot uses."""
+    """A robot's type has nine tenths of what the robot uses; of what it can refill there is no budget."""
     for _, schedule in schedules(plan):
         for (robot, name), amount in used(plan, schedule).items():
             kind = plan.brief.fleet.type_of[robot]
+            if name in plan.brief.terms.refilled(kind):
+                continue
             changes: dict[str, Any] = {"limits": {**kind.limits, name: 0.9 * amount}}
             if kind.robots:
                 changes["robots"] = tuple(replace(one, remaining={}) for one in kind.robots)

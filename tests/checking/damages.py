@@ -1468,6 +1468,8 @@ def blind_move_hurried(plan: Plan) -> Iterator[Plan]:
 @breaks("budget_exceeded")
 def budget_cut(plan: Plan) -> Iterator[Plan]:
     for kind in used_types(plan):
+        if "energy_j" in plan.brief.terms.refilled(kind):
+            continue  # a level, and no budget
         if not kind.uses_per_m or not any(
             plan.brief.fleet.type_of[leg.robot] is kind for s in plan.schedules for leg in s.legs
         ):

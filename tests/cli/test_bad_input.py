@@ -29,7 +29,7 @@ FILES = [
     ("fleet", "types:\n  - id: scout\n    count: 1\n    count: 2", ["count", "twice"]),
     ("fleet", "types:\n  - {id: scout, count: 1, limits: {max_speed_mps: '3'}}", [":2", "max_speed_mps", "number"]),
     ("fleet", "types:\n  - {id: Größe, count: 1}", [":2", "letter"]),
-    ("fleet", "types:\n  - {id: scout, count: 1, return_home: true}", ["return_home", "no stage enforces it yet"]),
+    ("scene", "entities:\n  - {id: hall, kind: place, capacity: 2}", ["capacity", "no stage enforces it yet"]),
     ("fleet", "a: &a [x]\nb: [*a, *a]", ["fleet.yaml"]),
     ("fleet", "!!python/object/apply:os.system ['true']", ["fleet.yaml:1"]),
     ("fleet", "\x00", ["fleet.yaml"]),

@@ -54,10 +54,10 @@ def test_every_core_rule_is_broken_by_some_damage_and_no_other_is_told() -> None
 
 
 def test_the_campaign_of_damage_finds_nothing_that_passes() -> None:
-    """Each way five times; the full campaign has a thousand of each."""
-    seen = made(CAMPAIGN, 7, 0, 5 * len(WAYS))
+    """Each way once; the full campaign has a thousand of each."""
+    seen = made(CAMPAIGN, 7, 0, len(WAYS))
     assert seen.violations == {}
-    assert {row: counts["damaged plans"] for row, counts in seen.rows.items()} == {way.name: 5 for way in WAYS}
+    assert {row: counts["damaged plans"] for row, counts in seen.rows.items()} == {way.name: 1 for way in WAYS}
 
 
 def test_the_last_word_is_the_second_checkers_where_the_first_is_silent(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -59,7 +59,7 @@ def test_a_link_ends_where_its_last_point_is(kind: LinkKind) -> None:
     if last.tag == "circle":
         assert (last.get("cx"), last.get("cy")) == ("100", "40")
         assert line.get("d", "").endswith("L100 40")
-    elif kind == "precedence":
+    elif kind in {"precedence", "hand_over"}:
         assert last.get("d") == "M91 44.5 L100 40 L91 35.5 Z"  # nine long, nine wide
         assert line.get("d", "").endswith("L92 40")  # hidden under the head
     else:

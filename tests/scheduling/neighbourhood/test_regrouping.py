@@ -93,17 +93,13 @@ def test_no_rule_is_broken_and_nothing_below_the_least_is_found(monkeypatch: pyt
 
 
 def test_a_large_mission_gets_shorter_and_passes_the_checker(tmp_path: Path) -> None:
-    """30 goals: `auto` searches large neighbourhoods, always the same, and tells of each step on the way down."""
+    """30 goals: `auto` searches large neighbourhoods, and tells of each step on the way down."""
     file = write_mission(tmp_path, 30, 9, 4)
     plain = plan_request(request_from(file, k=1), Control())
     news: list[Progress] = []
-    plans = [
-        plan_request(request_from(file, k=1, scheduler="auto"), Control(clock=lambda: 0.0, report=news.append))
-        for _ in range(2)
-    ]
-    assert plans[0].schedules[0].makespan_s < plain.schedules[0].makespan_s
-    assert plans[0].schedules == plans[1].schedules
-    assert check(plans[0]) == ()
-    best = [one.best for one in news[: len(news) // 2] if one.stage == "scheduling" and one.best is not None]
-    assert best[-1] == plans[0].schedules[0].makespan_s
+    made = plan_request(request_from(file, k=1, scheduler="auto"), Control(clock=lambda: 0.0, report=news.append))
+    assert made.schedules[0].makespan_s < plain.schedules[0].makespan_s
+    assert check(made) == ()
+    best = [one.best for one in news if one.stage == "scheduling" and one.best is not None]
+    assert best[-1] == made.schedules[0].makespan_s
     assert best == sorted(best, reverse=True)
