@@ -140,10 +140,10 @@ def harmless_elements(browser: Browser, folder: Path, world: str) -> dict[str, s
 def test_five_hundred_names_do_nothing_in_a_browser(browser: Browser, tmp_path: Path, first: int) -> None:
     """Once with the policy of the page, and once without, when nothing but the escaping stands between a name and a browser."""
     watchers = [Watched(browser, bypass_csp) for bypass_csp in (False, True)]
-    for world in (DELIVERED[first], DECLINED[first % len(DECLINED)]):
+    for world, ours in ((DELIVERED[first], watchers), (DECLINED[first % len(DECLINED)], watchers[first % 2 :][:1])):
         known = harmless_elements(browser, tmp_path, world)
         for hand in HANDS[first :: len(DELIVERED)]:
-            for watched in watchers:
+            for watched in ours:
                 for name, elements in opened(watched, tmp_path, as_a_file_may_hold_it(world, hand)):
                     assert elements <= known[name], (world, name, elements - known[name])
     for watched in watchers:

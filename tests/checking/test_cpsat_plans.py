@@ -11,8 +11,8 @@ from tests.checking.plans import made
 
 @pytest.mark.parametrize("part", range(4))
 def test_random_missions_pass_and_are_no_longer_than_greedy_ones(part: int) -> None:
-    """Ten missions each; none that greedy schedules is called impossible, and none is longer."""
-    for seed in range(10 * part, 10 * part + 10):
+    """Five missions each; none that greedy schedules is called impossible, and none is longer."""
+    for seed in range(10 * part, 10 * part + 5):
         tree, brief = random_mission(seed)
         greedy, best = made(tree, brief), made(tree, brief, scheduler="cpsat")
         assert check(best) == ()

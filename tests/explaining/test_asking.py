@@ -199,7 +199,7 @@ def with_types(plan: Plan, node: str, kind: RobotType) -> float | None:
     return None
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=8, deadline=None)
 @given(st.integers(0, 2**20), st.booleans(), st.data())
 def test_the_price_of_a_robot_is_that_of_the_best_alternative_with_it(
     seed: int, ruled: bool, data: st.DataObject

@@ -51,7 +51,7 @@ from tests.reporting.hostile_plans import (
 from tests.reporting.strict import Parsed, check_png, check_terminal, parse_page, parse_svg
 
 NAMES = hostile_names(500)
-FEW, MANY = 10, 20
+FEW, SOME, MANY = 10, 20, 50
 
 
 def hands(size: int) -> pytest.MarkDecorator:
@@ -179,7 +179,7 @@ def sizeless(styles: list[str]) -> set[str]:
     return {re.sub(r"\d+(?:\.\d+)?", "0", style) for style in styles}
 
 
-@hands(MANY)
+@hands(SOME)
 def test_the_report_shows_names_as_words(hand: Sequence[str]) -> None:
     plan = dealt_plan(hand)
     parsed = parse_page(report_html(plan))
