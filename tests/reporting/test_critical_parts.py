@@ -11,6 +11,7 @@ from missiontree.reporting.critical.parts import parts_of
 from missiontree.reporting.critical.spans import ms
 from missiontree.reporting.critical.view import chain_view, title_and_view, title_of
 from missiontree.reporting.text import plan_text, render
+from tests.checking.plans import refilling
 from tests.reporting.charts import planned, plans
 from tests.scheduling.instances import Part, at, mission, move, robots, scene, work
 
@@ -34,6 +35,18 @@ def test_what_a_robot_does_in_one_role_is_one_part_with_the_way_in_it() -> None:
 def test_a_busy_robot_is_told_as_what_is_waited_for() -> None:
     plan = planned(mission([Part("A", "a", [work(3)]), Part("B", "a", [work(4)])]), Fleet((robots("a"),)))
     assert {line.partition("; ")[2] for line in lines(plan)} == {"", "once a-1 is free"}
+
+
+def test_the_way_to_a_charger_is_on_the_way_and_the_visit_is_not() -> None:
+    """
+    20 m to the pump, 14.142 m to the charger, as much to the tank, 20 m home, at 1 m/s: 68.284 s. Twice 20 s of work. A metre takes 1 J.
+
+    What the ways and both inspections take, 168.284 J, is 68.284 J more than the 100 there are: 13.657 s at 5 J/s.
+    """
+    plan = refilling()
+    assert title(plan) == (
+        "Why alternative 1 takes 121.9 s: 40 s of work, 68.3 s on the way and 13.7 s of refilling and waiting, one after the other"
+    )
 
 
 def test_a_release_and_a_late_robot_are_waited_for_by_name() -> None:

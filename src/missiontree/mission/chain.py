@@ -78,9 +78,9 @@ class CriticalChain(Value):
     work_s
         Seconds of the chain in which something is done on the spot.
     travel_s
-        Seconds of the chain in which somebody is on the way, to an action or as an action.
+        Seconds of the chain in which somebody is on the way: to an action, as an action, to a charger, or home.
     waiting_s
-        Seconds of the chain in which nothing can be done yet: releases, robots that come late or refill, on the way to chargers, too.
+        Seconds of the chain in which nothing can be done yet: releases, robots that come late, and robots at chargers.
     steps
         In order of time; empty if nothing takes time.
     """

@@ -59,6 +59,10 @@ def chain_of(plan: Plan, schedule: Schedule) -> CriticalChain:
         moving = step.kind in {"travel", "home"} or (step.kind == "action" and tree.action(step.leaf).moves)
         what = "travel" if moving else "work" if step.kind == "action" else "waiting"
         spent[what] += ms(step.end_s) - ms(step.start_s)
+        if step.kind == "refill":
+            driven = _driven(schedule, step)
+            spent["travel"] += driven
+            spent["waiting"] -= driven
     return CriticalChain(
         rank=schedule.rank,
         makespan_s=schedule.makespan_s,
@@ -67,6 +71,13 @@ def chain_of(plan: Plan, schedule: Schedule) -> CriticalChain:
         waiting_s=spent["waiting"] / 1000,
         steps=steps,
     )
+
+
+def _driven(schedule: Schedule, step: Step) -> int:
+    """Milliseconds of a stretch at chargers in which the robot is on its way to one."""
+    legs = (visit.leg for visit in schedule.recharges if visit.robot == step.robot and visit.leg is not None)
+    spans = ((ms(leg.start_s), ms(leg.end_s)) for leg in legs)
+    return sum(max(0, min(end, ms(step.end_s)) - max(start, ms(step.start_s))) for start, end in spans)
 
 
 def _and_home(bonds: Bonds, home: OwnLeg) -> tuple[Step, ...]:

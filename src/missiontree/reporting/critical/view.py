@@ -32,9 +32,10 @@ def title_of(chain: CriticalChain, what: str = "") -> str:
     what
         What takes the time. Default: the alternative, by its rank.
     """
+    idle = "of refilling and waiting" if any(step.kind == "refill" for step in chain.steps) else "of waiting"
     spent = [
-        f"{in_words(time_s)} {what}"
-        for time_s, what in ((chain.work_s, "of work"), (chain.travel_s, "on the way"), (chain.waiting_s, "of waiting"))
+        f"{in_words(time_s)} {words}"
+        for time_s, words in ((chain.work_s, "of work"), (chain.travel_s, "on the way"), (chain.waiting_s, idle))
         if time_s
     ]
     listed = " and ".join([", ".join(spent[:-1]), spent[-1]]) if len(spent) > 1 else "".join(spent)
