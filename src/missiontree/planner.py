@@ -206,7 +206,8 @@ def check_methods(request: Request) -> None:
     """
     allocator_for(request.allocator, request.brief.aim)
     if request.scheduler not in SCHEDULERS:
-        raise InputError(f"there is no scheduler {request.scheduler!r}", accepted=", ".join(SCHEDULERS))
+        hint = "It is named by --scheduler, by scheduler: of the mission file, or by plan(scheduler=…)."
+        raise InputError(f"there is no scheduler {request.scheduler!r}", accepted=", ".join(SCHEDULERS), hint=hint)
 
 
 def plan_authored(request: Request, authored: Authored, control: Control) -> Plan:

@@ -60,6 +60,8 @@ def test_a_part_is_planned_where_the_whole_cannot_be_done_and_the_exit_code_stay
     weighed = shell("plan", CAT, *without, "--partial", "--part", "Search(cat)=3", "--json")
     assert json.loads(weighed.out)["partial"]["total"] == 5
     assert shell("plan", CAT, *without, "--partial", "--part", "Search(cat)=0").code == 2
+    unknown = shell("plan", CAT, "--part", "Serch(cat)=3")  # of a mission that can be done as a whole
+    assert (unknown.code, "'Serch(cat)'" in unknown.err) == (2, True)
 
 
 def test_a_mission_file_says_how_much_parts_count(shell: Shell) -> None:

@@ -142,6 +142,7 @@ def command(
             remark(f"using {source}", colour)
         hint_at_keys(request, colour)
     made = authored(request, quiet or as_json, colour)
+    _refuse_other_parts(request, made)
     line = LiveLine(quiet or as_json)
     with controlled(time_limit, request.seed, line.report) as control:
         with line:
@@ -161,6 +162,14 @@ def command(
             if not (quiet or as_json):
                 remark(f"written to {file}", colour)
     return OUTCOMES[plan.outcome]
+
+
+def _refuse_other_parts(request: Request, made: Authored) -> None:
+    """Weights of what is no part of the mission, also where the whole mission can be done and they play no part."""
+    from missiontree.explaining.weighing import weights_of
+
+    if made.status == "complete" and made.tree is not None and request.brief.parts:
+        weights_of(made.tree, request.brief.parts)
 
 
 def _in_part(whole: Plan, request: Request, made: Authored, control: Control, quiet: bool, colour: bool | None) -> Plan:
