@@ -127,6 +127,10 @@ def test_what_the_user_prices_high_comes_last() -> None:
 
 def test_links_that_no_robot_can_keep_are_given_up() -> None:
     known = told_of(mission(CARRY, FIND, links=(Link("n0", "n1", "same_robot"),)))
+    lacking = {
+        (one.robot, one.node, one.needed) for one in known.told.causes[0].reasons if one.rule == "capability_missing"
+    }
+    assert lacking == {("rover", "n0", "carry"), ("arm", "n1", "search")}  # each part has somebody, and nobody both
     assert words_of(known)[0].startswith("Give up that one robot does both")
     assert any(repair.changes[0].kind == "add_capability" for repair in known.told.repairs)
 

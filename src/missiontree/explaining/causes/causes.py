@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from missiontree.explaining.causes.routines import routine_causes
+from missiontree.explaining.causes.unable import unable
 from missiontree.explaining.shortfall import shortfall_of
 from missiontree.mission.explanation import Cause, Stage
 from missiontree.mission.plan import Plan
@@ -31,7 +32,8 @@ def causes_of(plan: Plan) -> tuple[Cause, ...]:
     if of_routines := routine_causes(plan.tree, plan.grounding):
         return of_routines
     if plan.ranking.status == "infeasible":
-        return tuple(_told(_first(plan.ranking.reasons), "allocation"))
+        causes = _told(_first(plan.ranking.reasons), "allocation")
+        return tuple(replace(cause, reasons=(*cause.reasons, *unable(plan, cause.words))) for cause in causes)
     return _unscheduled(plan)
 
 

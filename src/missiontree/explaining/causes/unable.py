@@ -1,0 +1,29 @@
+"""Who cannot do what one robot is to do alone: what stands behind a link that nobody can keep."""
+
+from __future__ import annotations
+
+from missiontree.mission.plan import Plan
+from missiontree.mission.reason import Reason
+
+
+def unable(plan: Plan, words: str) -> tuple[Reason, ...]:
+    """
+    Refusals of robot types for the parts that a clash names as those of one robot.
+
+    A link clashes where each part has somebody, but none that could do both; then it is worth telling who lacks what.
+
+    Parameters
+    ----------
+    plan
+        A plan with a tree over its fleet.
+    words
+        The clash in words, which name parts by their labels.
+    """
+    assert plan.grounding is not None
+    tree = plan.grounding.tree
+    named: set[str] = set()
+    for link in tree.links:
+        ends = [tree.nodes[end] for end in (link.first, link.second)]
+        if link.kind == "same_robot" and all(f'"{end.label}"' in words for end in ends):
+            named |= {end.source for end in ends if end.source is not None}
+    return tuple(one for one in plan.grounding.not_offered if one.node in named and one.robot)
