@@ -1,16 +1,19 @@
-"""Who cannot do what one robot is to do alone: what stands behind a link that nobody can keep."""
+"""Who is not able to do the parts of a link: what stands behind one that nobody can keep."""
 
 from __future__ import annotations
 
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 
+ABOUT_ROBOTS = ("same_robot", "different_robot")
+
 
 def unable(plan: Plan, words: str) -> tuple[Reason, ...]:
     """
-    Refusals of robot types for the parts that a clash names as those of one robot.
+    Refusals of robot types for the parts that a clash names as those of one robot, or of different ones.
 
-    A link clashes where each part has somebody, but none that could do both; then it is worth telling who lacks what.
+    Such a link clashes where each part has somebody, but nobody could do both, or too few could do one; then it is worth telling who lacks
+    what.
 
     Parameters
     ----------
@@ -24,6 +27,6 @@ def unable(plan: Plan, words: str) -> tuple[Reason, ...]:
     named: set[str] = set()
     for link in tree.links:
         ends = [tree.nodes[end] for end in (link.first, link.second)]
-        if link.kind == "same_robot" and all(f'"{end.label}"' in words for end in ends):
+        if link.kind in ABOUT_ROBOTS and all(f'"{end.label}"' in words for end in ends):
             named |= {end.source for end in ends if end.source is not None}
     return tuple(one for one in plan.grounding.not_offered if one.node in named and one.robot)
