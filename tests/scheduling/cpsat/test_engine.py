@@ -14,7 +14,9 @@ from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import NO_TERMS
 from missiontree.scheduling import SCHEDULERS
+from missiontree.scheduling.cpsat import engine, improving
 from missiontree.scheduling.cpsat.engine import schedule_within
+from missiontree.scheduling.cpsat.search import search
 from missiontree.scheduling.cpsat.settings import Settings
 from tests.scheduling.instances import Instance, Part, at, mission, move, robot_of, robots, scene, times, work
 from tests.scheduling.validator import faults
@@ -189,6 +191,20 @@ def test_progress_tells_best_and_bound() -> None:
     told = [news for news in heard if news.best is not None]
     assert told
     assert all(news.bound is not None and news.bound <= news.best for news in told if news.best is not None)
+
+
+def test_the_best_is_told_of_even_if_the_solver_says_it_only_at_its_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Which of its last answers the solver tells of before its end is a matter of luck; what is made of them is not."""
+    monkeypatch.setattr(
+        improving, "search", lambda model, limit, ended, effort, heard, clock: search(model, limit, ended, effort)
+    )
+    monkeypatch.setattr(engine, "best_of_runs", lambda *rest: (None, []))
+    made, kind, world = five_stops()
+    heard: list[Progress] = []
+    result = solved(made, kind, world=world, control=Control(report=heard.append))
+    told = [news.best for news in heard if news.best is not None]
+    assert told[-1] == result.makespan_s == 12
+    assert told == sorted(told, reverse=True)
 
 
 @pytest.mark.parametrize("name", ["cpsat", "auto"])

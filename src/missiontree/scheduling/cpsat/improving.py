@@ -65,6 +65,7 @@ class Improving:
         self._limit = ""  # what the model does not express
         self._impossible = False
         self._kept_s = 0.0  # of the time, for making a schedule of the last answer
+        self._shown: int | None = None  # the makespan that was told of last
 
     def __call__(self) -> Schedule:
         """Improve, prove, and write it down."""
@@ -103,8 +104,17 @@ class Improving:
         self._best = regrouped(self._problem, self._best, self._control.seed, rounds, over, self._shorter)
 
     def _shorter(self, draft: Draft) -> None:
-        self._answers += 1
-        self._control.report(Progress("scheduling", self._answers, 1, seconds(self._bound), seconds(draft.makespan)))
+        self._tell(self._bound, draft.makespan)
+
+    def _say(self, draft: Draft) -> None:
+        """Tell of it unless something as short was told of; the solver's last answer comes with its end, or is shorter when replayed."""
+        if self._shown is None or draft.makespan < self._shown:
+            self._shorter(draft)
+
+    def _tell(self, bound: int, best: int | None) -> None:
+        self._answers, self._shown = self._answers + 1, best
+        shown = None if best is None else seconds(best)
+        self._control.report(Progress("scheduling", self._answers, int(best is not None), seconds(bound), shown))
 
     def _closed(self) -> bool:
         """Whether nothing is shorter than the best, by whoever's word."""
@@ -177,21 +187,22 @@ class Improving:
         draft = replay(self._problem, formulation.course(found.values))
         if draft is not None and (self._best is None or draft.value < self._best.value):
             self._best = draft
+            self._say(draft)
 
     def _heard(self, found: Found) -> None:
-        self._answers += 1
         best = self._best.makespan if self._best is not None else None
         if found.values and found.objective is not None:
             best = found.objective if best is None else min(best, found.objective)
-        bound = max(self._bound, found.bound or 0)
-        shown = None if best is None else seconds(best)
-        self._control.report(Progress("scheduling", self._answers, int(best is not None), seconds(bound), shown))
+        self._tell(max(self._bound, found.bound or 0), best)
 
     # --- proving ----------------------------------------------------------------------------------------------------
 
     def _tried(self, most_steps: int) -> Certificate | None:
         """The certificate of having tried everything that could be better; None if that is too much."""
-        self._best, proof = tried_out(self._problem, self._best, self._horizon(), most_steps, self._over)
+        before = self._best
+        self._best, proof = tried_out(self._problem, before, self._horizon(), most_steps, self._over)
+        if self._best is not None and self._best is not before:
+            self._say(self._best)
         return proof
 
     def _over(self) -> bool:
