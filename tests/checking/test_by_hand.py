@@ -8,10 +8,13 @@ from typing import Any
 import pytest
 
 from missiontree.checking import check, taken_on_trust
+from missiontree.checking.case import Case
+from missiontree.checking.lower_bound import least_makespan
 from missiontree.formats.inputs import input_digests
 from missiontree.mission.alternative import Alternative, Assignment, Choice, Ranking, RoleType
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.certificate import Certificate
+from missiontree.mission.charger import Charger
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.grounded import GroundedTree, Grounding
@@ -20,7 +23,7 @@ from missiontree.mission.plan import Plan, Provenance
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
-from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.schedule import Recharge, Schedule, ScheduledAction, TravelLeg
 from missiontree.mission.shared_resource import SharedResource
 from missiontree.mission.tree import LinkKind
 from missiontree.routines.library import built_in
@@ -569,3 +572,33 @@ def test_who_takes_over_starts_just_when_who_hands_over_ends() -> None:
 def test_who_takes_over_is_where_who_hands_over_is() -> None:
     """The place "there" is where the box is; but whoever takes over there might find the box gone."""
     assert rules(relay(10, at="there")) == ["hand_over_unfit"]
+
+
+def test_what_must_be_taken_in_at_chargers_counts_in_the_bound_that_claims_it() -> None:
+    """
+    Two jobs of 10 s and 60 J, and 100 J: 20 J are lacking, 2 s at 10 J/s; with 20 s of jobs none is shorter than 22 s.
+
+    With two robots that hold 50 J each it is the charger that both need: 2 s, and a job after it, 12 s; shared evenly they have 11 s to do.
+    """
+    uses = {"energy_j": 60.0}
+    tree = grounded(and_(leaf("a", duration_s=10, uses=uses), leaf("b", duration_s=10, uses=uses)))
+    plug = Charger(id="plug", position=HERE, rate_per_s=10)
+    scene = replace(SCENE, chargers=(plug,))
+    alone = team(1, position=None, limits={"energy_j": 100.0})
+    plan = plan_of(tree, times((1, "r-1", 0, 10), (2, "r-1", 12, 22)), fleet=alone, scene=scene)
+    visit = Recharge(robot="r-1", charger="plug", start_s=10, end_s=12, amount=20)
+    plan = replace(plan, schedules=(replace(plan.schedules[0], recharges=(visit,)),))
+    assert least(claiming(plan, "optimal", "proven", "refill_load", 22)) == 22_000
+    assert least(claiming(plan, "optimal", "proven", "load", 20)) == 20_000
+    assert "claim_unfounded" not in rules(claiming(plan, "feasible", "bounded", "refill_load", 22))
+    assert "claim_unfounded" in rules(claiming(plan, "feasible", "bounded", "refill_load", 22.5))
+    low = tuple(Robot(id=f"r-{number}", remaining={"energy_j": 50.0}) for number in (1, 2))
+    two = RobotType(id="r", capabilities={"any": 1.0}, limits={"energy_j": 100.0}, robots=low)
+    plan = plan_of(tree, times((1, "r-1", 0, 10), (2, "r-2", 12, 22)), fleet=Fleet((two,)), scene=scene)
+    assert least(claiming(plan, "feasible", "bounded", "refill_load", 12)) == 12_000
+
+
+def least(plan: Plan) -> int | None:
+    """The checker's own bound of the only schedule."""
+    case = Case(plan)
+    return least_makespan(case, case.timetables[0])

@@ -5,7 +5,9 @@ Three plain arguments. *Critical path*: actions of a role, of a precedence and o
 that is certain between them, and none starts before its release time, or before the nearest robot of its type can be there; where robots
 return, the way home follows. *Load*:
 robots take one role at a time, so the roles of a type fill at least their sum shared among its robots, after the earliest start and
-before the least that must still follow. *Resource load*: the same of what holds a shared resource, and its capacity.
+before the least that must still follow. *Resource load*: the same of what holds a shared resource, and its capacity. *Refill load*,
+for schedules that claim it: what the actions of a type use beyond what its robots hold is taken in before one role or other, which
+takes the robots time, and the chargers; ways count as nothing there.
 """
 
 from __future__ import annotations
@@ -19,6 +21,8 @@ from missiontree.checking.case import Case
 from missiontree.checking.clock import ticks_needed
 from missiontree.checking.haunts import Haunts
 from missiontree.checking.journeys import Spot
+from missiontree.checking.load import Piece, shared
+from missiontree.checking.refills import refill_load
 from missiontree.checking.timetable import Timetable
 from missiontree.checking.windows import windows
 from missiontree.mission.fleet import RobotType
@@ -30,10 +34,14 @@ MOST_WAYS = 2500
 
 
 def least_makespan(case: Case, timetable: Timetable) -> int | None:
-    """Ticks below which no schedule of the timetable's alternative can be, 0 if its order is circular; None if a type is unknown."""
+    """
+    Ticks below which no schedule of the timetable's alternative can be, 0 if its order is circular; None if a type is unknown.
+
+    Refills count if the schedule claims that they do.
+    """
     if any(action.robot_type not in case.fleet.by_id for action in timetable.staffing.actions.values()):
         return None
-    return _Bound(case, timetable).ticks()
+    return _Bound(case, timetable).ticks(refills=timetable.schedule.certificate.method == "refill_load")
 
 
 class _Bound:
@@ -62,7 +70,7 @@ class _Bound:
         self._length = self._lengths()
         self._draw()
 
-    def ticks(self) -> int:
+    def ticks(self, refills: bool) -> int:
         """The largest of the bounds."""
         order = self._order()
         if order is None:
@@ -74,7 +82,12 @@ class _Bound:
         tails = dict.fromkeys(order, 0)
         for event in reversed(order):
             tails[event] = max((weight + tails[later] for later, weight in self._after[event]), default=0)
-        return max(max(heads.values(), default=0), self._load(heads, tails), self._resource_load(heads, tails))
+        least = max(max(heads.values(), default=0), self._load(heads, tails), self._resource_load(heads, tails))
+        return (
+            max(least, refill_load(self._case, self._actions.values(), self._pieces(heads, tails)))
+            if refills
+            else least
+        )
 
     def _start(self, leaf: int) -> object:
         return ("start", self._group[leaf])
@@ -222,16 +235,17 @@ class _Bound:
 
     def _load(self, heads: dict[object, int], tails: dict[object, int]) -> int:
         """The largest, over robot types and over earliest starts, of start + work of the roles not before it, shared + what follows."""
-        pieces: dict[str, list[tuple[int, int, int]]] = {}
+        pieces = self._pieces(heads, tails)
+        return max((shared(own, self._case.most_in_use(type_id)) for type_id, own in pieces.items()), default=0)
+
+    def _pieces(self, heads: dict[object, int], tails: dict[object, int]) -> dict[str, list[Piece]]:
+        pieces: dict[str, list[Piece]] = {}
         for role, leaves in self._staffing.leaves_of_role.items():
             lag = sum(self._wait[leaf] for leaf in leaves[1:] if not self._actions[leaf].moves)
             work = lag + sum(self._length[self._group[leaf]] for leaf in leaves)
             piece = (heads[self._start(leaves[0])], work, tails[self._end(leaves[-1])])
             pieces.setdefault(self._staffing.type_of_role[role], []).append(piece)
-        return max(
-            (_most(own, max(1, self._case.most_in_use(type_id))) for type_id, own in pieces.items()),
-            default=0,
-        )
+        return pieces
 
     def _resource_load(self, heads: dict[object, int], tails: dict[object, int]) -> int:
         """The same of every shared resource: each robot that holds it takes one of its places for that long."""
@@ -242,19 +256,8 @@ class _Bound:
                 for leaf, action in self._actions.items()
                 if resource.id in action.holds
             ]
-            least = max(least, _most(pieces, resource.capacity))
+            least = max(least, shared(pieces, resource.capacity))
         return least
-
-
-def _most(pieces: list[tuple[int, int, int]], places: int) -> int:
-    """The largest, over earliest starts and over what must follow, of start + work within + what follows, in ticks."""
-    least = 0
-    for head in {start for start, _, _ in pieces[:MOST_WAYS]}:
-        work = 0
-        for _, length, tail in sorted((one for one in pieces if one[0] >= head), key=lambda one: -one[2]):
-            work += length
-            least = max(least, head - (-work // places) + tail)
-    return least
 
 
 def _speed(case: Case, kind: RobotType, action: Action) -> float | None:

@@ -22,7 +22,7 @@ from missiontree.checking.timetable import Timetable
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.schedule import Schedule
 
-PLAIN_BOUNDS = frozenset({"critical_path", "load", "resource_load"})
+PLAIN_BOUNDS = frozenset({"critical_path", "load", "resource_load", "refill_load"})
 """Methods that the checker's own bound is as strong as, where nothing but durations and order count; a search may show more."""
 
 MOST_ROLES = 20
@@ -79,7 +79,8 @@ def _own_is_as_strong(case: Case, timetable: Timetable) -> bool:
     Whether nothing but durations and order can make a schedule long, so that the checker's bound is the documented ones' equal.
 
     That is so if no action has a place that is known, nothing lasts until something else ends, and holding adds no order: of two
-    roles that one robot must fill, either all of one comes before all of the other, or nothing of either does.
+    roles that one robot must fill, either all of one comes before all of the other, or nothing of either does. Ways to chargers count
+    as well where it is known where robots start.
     """
     staffing = timetable.staffing
     haunts = Haunts(case, timetable)
@@ -87,8 +88,13 @@ def _own_is_as_strong(case: Case, timetable: Timetable) -> bool:
         all(bond.kind == "precedence" for bond in staffing.bonds)
         and all(haunts.of_leaf(leaf) == ANYWHERE for leaf in staffing.actions)
         and not staffing.teams
+        and not (timetable.schedule.certificate.method == "refill_load" and _starts_known(case, haunts))
         and all(_wholly_ordered(timetable, roles) for roles in _sharing(case, timetable))
     )
+
+
+def _starts_known(case: Case, haunts: Haunts) -> bool:
+    return any(haunts.starts(kind.id) != ANYWHERE for kind in case.fleet.types)
 
 
 def _sharing(case: Case, timetable: Timetable) -> Iterator[list[int]]:

@@ -10,6 +10,7 @@ _HOW = {
     "critical_path": "a bound (critical path)",
     "load": "a bound (load)",
     "resource_load": "a bound (resource load)",
+    "refill_load": "a bound (refill load)",
     "second_formulation": "a second formulation",
     "enumeration": "enumeration",
     "labels": "a complete search (labels)",

@@ -1,10 +1,11 @@
 """
 Lower bounds on the makespan: no schedule of the alternative can be shorter, whichever robots are taken.
 
-Three of them. *Critical path*: the longest chain of actions that must follow each other, travel included where both ends are certain.
+Four of them. *Critical path*: the longest chain of actions that must follow each other, travel included where both ends are certain.
 *Load*: what the robots of a type must do, shared evenly among them, after the earliest that any of it can begin and before the
 least that must still follow (the subset bound of parallel machines with heads and tails). *Resource load*: the same of what a shared
-resource must be held for, and the robots that it has room for.
+resource must be held for, and the robots that it has room for. *Refill load*: what robots must take in at chargers, see
+:mod:`missiontree.scheduling.refilling`.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from missiontree.scheduling.entries import least_entries
 from missiontree.scheduling.load import holding_bound, load_bound, pieces_of
 from missiontree.scheduling.places import Places, Spots
 from missiontree.scheduling.precedence import TaskGraph
+from missiontree.scheduling.refilling import refill_bound
 from missiontree.scheduling.sharing import NOTHING_SHARED, Sharing
 from missiontree.scheduling.staffing import Staffing
 from missiontree.scheduling.trips import Spot, Trips
@@ -43,7 +45,7 @@ class Bounds:
     makespan
         No schedule is shorter.
     method
-        ``critical_path``, ``load`` or ``resource_load``: which bound is the largest.
+        ``critical_path``, ``load``, ``resource_load`` or ``refill_load``: which bound is the largest.
     duration
         Least duration of each activity.
     lag
@@ -103,7 +105,7 @@ def lower_bounds(
     returning
         Whether the mission lasts until every robot that takes part is home. Default false.
     chargers
-        Where robots may be beside. That they refill costs no time here. Default: nowhere.
+        Where robots refill, and may be beside. Default: nowhere.
     """
     travel = _Travel(graph, staffing, places, fleet, trips)
     duration = [_least_duration(graph, activity, travel) for activity in range(len(graph.activities))]
@@ -114,15 +116,20 @@ def lower_bounds(
     path = max((head + tail for head, tail in zip(heads, tails, strict=True)), default=0)
     entries = least_entries(graph, staffing, places, trips, chargers)
     plain = pieces_of(graph, staffing, duration, lag, heads, tails)
-    entered = pieces_of(graph, staffing, duration, lag, heads, tails, entries) if entries else []
-    load = max(load_bound(plain, fleet), load_bound(entered, fleet))
-    held = holding_bound(sharing, duration, heads, tails)
-    makespan = max(path, load, held)
-    method = "critical_path" if path == makespan else "load" if load == makespan else "resource_load"
+    ways = entries.ticks
+    forms = [plain, pieces_of(graph, staffing, duration, lag, heads, tails, ways)] if ways else [plain]
+    found = {
+        "critical_path": path,
+        "load": max(load_bound(pieces, fleet) for pieces in forms),
+        "resource_load": holding_bound(sharing, duration, heads, tails),
+        "refill_load": max(refill_bound(graph, staffing, own, entries, fleet, trips, chargers) for own in forms),
+    }
+    makespan = max(found.values())
+    method = next(name for name, bound in found.items() if bound == makespan)  # the plainest of the largest
     latest = _latest(graph, order, duration, lag) if graph.deadline else []
     end = max(makespan, *graph.deadline.values()) if graph.deadline else makespan
     due = [min(end - tail, last) for tail, last in zip(tails, latest or [NEVER] * len(tails), strict=True)]
-    return Bounds(makespan, method, duration, lag, heads, tails, entries, latest, due, homes)
+    return Bounds(makespan, method, duration, lag, heads, tails, ways, latest, due, homes)
 
 
 class _Travel:
