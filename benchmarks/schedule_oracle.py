@@ -11,7 +11,7 @@ chargers the least makespan may be out of reach.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations, pairwise, permutations, product
 
@@ -96,8 +96,9 @@ class Oracle:
         self.steps = 0
         self.taker: dict[int, int] = {}  # by unit that hands over: the unit that takes over
         self.unfit = False
-        self.disturbed = False  # others move what a giver and a taker meet at: whether that can be is not decided here
+        self.disturbed = False  # something comes between a giver and a taker: whether that can be is not decided here
         self._read_links()
+        self.disturbed |= any(self._comes_between(giver, taker) for giver, taker in self.taker.items())
         self.release = dict.fromkeys(self.leaves, 0)
         self.due: dict[int, int] = {}
         for index, node in enumerate(case.tree.nodes):
@@ -147,6 +148,30 @@ class Oracle:
         sound = len(ends) == len(starts) == 1 and giver != taker and whole and self.taker.get(giver, taker) == taker
         self.unfit |= not (sound and meet) or any(one.open_ended for one in given) or any(two.moves for two in taken)
         self.taker[giver] = taker
+
+    def _comes_between(self, giver: int, taker: int) -> bool:
+        """Whether something of no length must follow a giver and be over before its taker begins, all at one moment."""
+        after: dict[int, set[int]] = {leaf: set() for leaf in self.leaves}
+        for own in self.roles.values():
+            for leaf, later in pairwise(own):
+                after[leaf].add(later)
+        for leaf, earlier in self.before.items():
+            for one in earlier:
+                after[one].add(leaf)
+        follow = self._reached(self.units[giver], after) - {*self.units[giver], *self.units[taker]}
+        return any(
+            (self._action(leaf).moves or not self._action(leaf).duration_s)
+            and self._reached([leaf], after) & {*self.units[taker]}
+            for leaf in follow
+        )
+
+    def _reached(self, leaves: Iterable[int], after: Mapping[int, set[int]]) -> set[int]:
+        seen, stack = set[int](), [*leaves]
+        while stack:
+            fresh = after[stack.pop()] - seen
+            seen |= fresh
+            stack += fresh
+        return seen
 
     def _left_at(self, role: int) -> set[str | None]:
         """Where a role ends, and what it brought there."""

@@ -47,6 +47,8 @@ INPUTS = {
     "limit_use_missing",
 }  # of a plan made for the checker alone, without a road to it
 LONG_S = 60.0
+REFILLING_S = 3.0
+"""For missions with chargers, whose gaps seldom close: no gap of theirs counts, and the rest of half a minute would show nothing."""
 MOST_STEPS = 200_000
 PARTS_EVERY = 3
 """Every third mission is put to the parts as well, which takes twice as long as the scheduler that is made of them."""
@@ -59,7 +61,8 @@ def judge(seed: int, index: int) -> Verdict:
         truth = least_makespan(case)
     except TooMuchError:
         return Verdict("too much to try")
-    result = SCHEDULERS["cpsat"](case.tree, case.alternative, case.fleet, case.scene, Control(seed=seed), case.terms)
+    limits = Control(seed=seed, time_limit_s=REFILLING_S if "chargers" in case.features else None)
+    result = SCHEDULERS["cpsat"](case.tree, case.alternative, case.fleet, case.scene, limits, case.terms)
     violations = list(_claims(case, result, truth))
     if index % PARTS_EVERY == 0:
         violations += _parts(case, truth)
