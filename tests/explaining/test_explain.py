@@ -17,7 +17,7 @@ from missiontree.explaining.nearest import nearest_part
 from missiontree.mission.control import Control
 from missiontree.mission.costs import Costs, Price
 from missiontree.mission.explanation import Shortfall
-from missiontree.mission.tree import Link
+from missiontree.mission.tree import Link, MissionNode
 from missiontree.planner import plan_authored
 from tests.explaining.missions import CARRY, FIND, FLEET, ROADS, SCENE, mission
 
@@ -123,6 +123,22 @@ def test_what_the_user_prices_high_comes_last() -> None:
     dear = Costs({"add_capability": Price(fixed=100), "raise_limit": Price(fixed=50, per_share=0)})
     request = replace(mission(CARRY, fleet=FLEET.replace("payload_kg: 15", "payload_kg: 4")), costs=dear)
     assert [repair.cost for repair in told_of(request).told.repairs] == [50, 100]
+
+
+def test_who_lacks_what_is_told_of_a_part_with_choices_too() -> None:
+    """Anna is searched for or reached, by another robot than the one that carries the crate; and the rover alone can do any of it."""
+    both = FLEET.replace("carry: 1.0", "lift: 1.0").replace("reach: 0.8", "reach: 0.8, carry: 0.9")
+    request = mission(CARRY, FIND, ("Reach", {"agent": "Anna"}), fleet=both)
+    assert request.tree is not None
+    nodes = {node.id: node for node in request.tree.nodes}
+    inner = MissionNode(id="meet", label="Meet Anna", gate="xor", children=("n1", "n2"))
+    root = replace(nodes["root"], children=("n0", "meet"))
+    links = (Link("n0", "meet", "different_robot"),)
+    tree = replace(request.tree, nodes=(root, nodes["n0"], inner, nodes["n1"], nodes["n2"]), links=links)
+    (cause,) = told_of(replace(request, tree=tree)).told.causes
+    assert "different robots" in cause.words
+    lacking = {(reason.node, reason.robot, reason.needed) for reason in cause.reasons if reason.robot}
+    assert lacking == {("n0", "arm", "carry"), ("n1", "arm", "search"), ("n2", "arm", "reach")}
 
 
 def test_links_that_no_robot_can_keep_are_given_up() -> None:

@@ -24,9 +24,22 @@ def unable(plan: Plan, words: str) -> tuple[Reason, ...]:
     """
     assert plan.grounding is not None
     tree = plan.grounding.tree
-    named: set[str] = set()
+    named: list[str] = []
     for link in tree.links:
         ends = [tree.nodes[end] for end in (link.first, link.second)]
         if link.kind in ABOUT_ROBOTS and all(f'"{end.label}"' in words for end in ends):
-            named |= {end.source for end in ends if end.source is not None}
-    return tuple(one for one in plan.grounding.not_offered if one.node in named and one.robot)
+            named += [end.source for end in ends if end.source is not None]
+    within = _within(plan, named)
+    return tuple(one for one in plan.grounding.not_offered if one.node in within and one.robot)
+
+
+def _within(plan: Plan, nodes: list[str]) -> set[str]:
+    """Nodes of the mission tree, and all below them: of a part with choices, whoever cannot do one of them."""
+    found, waiting = set[str](), list(nodes)
+    below = {node.id: node.children for node in plan.tree.nodes} if plan.tree is not None else {}
+    while waiting:
+        node = waiting.pop()
+        if node not in found:
+            found.add(node)
+            waiting += below.get(node, ())
+    return found
