@@ -15,7 +15,7 @@ from missiontree.mission.chain import Bond
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.scene import Scene
-from missiontree.mission.schedule import Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.schedule import OwnLeg, Schedule, ScheduledAction, TravelLeg
 from missiontree.mission.ticks import ticks
 from missiontree.reporting.critical.refills import refills_of
 from missiontree.reporting.critical.spans import Spans, ms
@@ -78,6 +78,7 @@ class Bonds:
         self.tree = tree
         self.shared = scene.shared if scene is not None else {}
         self._ways = {leg.leaf: scene.passed(leg.via) for leg in schedule.legs} if scene is not None else {}
+        self._passed = scene.passed if scene is not None else None
         self._fleet = fleet
         self.at: dict[int, ScheduledAction] = {one.leaf: one for one in schedule.actions}
         self.legs: dict[int, TravelLeg] = {leg.leaf: leg for leg in schedule.legs if self._leads(leg)}
@@ -141,6 +142,10 @@ class Bonds:
         robot = self.at[leaf].robot
         kind = self._fleet.type_of.get(robot) if self._fleet is not None else None
         return 0 if kind is None or self._fleet is None else ticks(kind.availability(self._fleet.robots[robot])[0])
+
+    def shares(self, leg: OwnLeg) -> bool:
+        """Whether a way leads along what robots share."""
+        return self._passed is not None and bool(self._passed(leg.via))
 
     def refills(self, robot: str) -> Sequence[tuple[int, int]]:
         """Detours of a robot to chargers, from when to when in milliseconds."""

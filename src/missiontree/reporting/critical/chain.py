@@ -87,12 +87,15 @@ def _and_home(bonds: Bonds, home: OwnLeg) -> tuple[Step, ...]:
         return ()
     last = max(own, key=lambda one: (ms(one.end_s), ms(one.start_s), one.leaf))
     steps = _Walk(bonds).steps(Event("end", last.leaf))
-    refilled = (ms(last.end_s), ms(home.start_s)) in bonds.refills(home.robot)
-    if ms(last.end_s) < ms(home.start_s) and refilled:
-        steps.append(Step("refill", last.leaf, home.robot, last.end_s, home.start_s, "robot"))
-    elif ms(last.end_s) < ms(home.start_s):
-        steps.append(Step("wait", last.leaf, home.robot, last.end_s, home.start_s, "unexplained"))
-    return (*steps, Step("home", last.leaf, home.robot, home.start_s, home.end_s, "robot"))
+    over, leaves = ms(last.end_s), ms(home.start_s)
+    back = next((until for since, until in bonds.refills(home.robot) if since == over < until), over)
+    if back > over:
+        steps.append(Step("refill", last.leaf, home.robot, last.end_s, back / 1000, "robot"))
+    bond: Bond = "robot"
+    if back < leaves:
+        steps.append(Step("wait", last.leaf, home.robot, back / 1000, home.start_s, "robot"))
+        bond = "resource" if bonds.shares(home) else "unexplained"
+    return (*steps, Step("home", last.leaf, home.robot, home.start_s, home.end_s, bond))
 
 
 class _Walk:

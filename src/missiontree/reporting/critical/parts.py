@@ -68,10 +68,11 @@ def _parts(tree: GroundedTree, runs: Sequence[Sequence[Step]]) -> Iterator[Part]
         before = runs[place - 1][-1] if place else None
         first, last = run[0], run[-1]
         waits = first.kind == "wait"
-        held_by = runs[place + 1][0].bond if waits and place + 1 < len(runs) else "unexplained"
         yield Part(
             first.robot,
-            _waiting(tree, first, held_by) if waits else _doing(tree, first),
+            _waiting(tree, first, runs[place + 1][0] if place + 1 < len(runs) else None)
+            if waits
+            else _doing(tree, first),
             first.start_s,
             last.end_s,
             sum(ms(step.end_s) - ms(step.start_s) for step in run if _moving(tree, step)) / 1000,
@@ -90,8 +91,12 @@ def _moving(tree: GroundedTree, step: Step) -> bool:
     return step.kind in {"travel", "home"} or (step.kind == "action" and tree.action(step.leaf).moves)
 
 
-def _waiting(tree: GroundedTree, step: Step, held_by: str) -> str:
-    text = one_line(tree.action(step.leaf).text)
+def _waiting(tree: GroundedTree, step: Step, then: Step | None) -> str:
+    held_by = "unexplained" if then is None else then.bond
+    going_home = then is not None and then.kind == "home"
+    text = "the way home" if going_home else one_line(tree.action(step.leaf).text)
+    if held_by == "resource":
+        return f"nothing: {text} waits for room in what robots share"
     if held_by == "release":
         return f"nothing: {text} may not start before"
     if held_by == "refill":
