@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import pairwise
+from random import Random
 from typing import Any
 
 import pytest
@@ -16,9 +17,11 @@ from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
 from missiontree.mission.shared_resource import SharedResource
-from missiontree.mission.tree import MissionTree
+from missiontree.mission.tree import Link, MissionTree
 from missiontree.mission.ways import Lift, Road, RoadGraph, RoadNode
 from missiontree.rechecking import recheck
+from missiontree.reporting.critical.chain import chain_of
+from missiontree.reporting.critical.parts import parts_of
 from missiontree.scheduling import SCHEDULERS
 from tests.builders import brief_of, flat_tree, routine_node
 from tests.checking.plans import made
@@ -101,7 +104,133 @@ def test_a_road_or_lift_that_names_no_shared_resource_is_refused(what: str) -> N
         Scene(places=(place, other), roads=graph, resources=(GATE,))
 
 
-def test_chargers_beside_such_roads_are_refused() -> None:
-    """Ways to chargers hold nothing yet, and what is accepted and then ignored would make a plan look better than it is."""
-    with pytest.raises(ValueError, match="ways to chargers do not wait for shared resources"):
-        replace(corridor(), chargers=(Charger(id="plug", place="west", stock="energy_j", rate_per_s=1.0),))
+def dock(capacity: int = 1) -> Scene:
+    """The corridor, and behind the east, 5 m on, a charger at the end of a track of its own that has room for so many."""
+    scene = corridor(2)
+    end = Entity(id="dock", kind="place", position=Position(25, 0))
+    assert scene.roads is not None
+    roads = replace(scene.roads, roads=(*scene.roads.roads, Road(ends=("east", "dock"), resource="track")))
+    return replace(
+        scene,
+        places=(*scene.places, end),
+        roads=roads,
+        resources=(*scene.resources, SharedResource(id="track", capacity=capacity)),
+        chargers=(Charger(id="plug", place="dock", rate_per_s=10, capacity=2),),
+    )
+
+
+def plugged(scene: Scene, scheduler: str) -> Plan:
+    """Both search in the east, 20 J there of 30 J; home they need 20 J more, and refill behind the east."""
+    kind = RobotType(
+        id="r",
+        count=2,
+        capabilities={"search": 1.0},
+        limits={"max_speed_mps": 1.0, "energy_j": 30.0},
+        uses_per_m={"energy_j": 1.0},
+        place="west",
+    )
+    tree = flat_tree(
+        *(routine_node(name, "Search", agent=name) for name in ("ann", "bob")),
+        links=(Link("ann", "bob", "different_robot"),),
+    )
+    brief = brief_of(tree, Fleet((kind,)), scene=scene, return_home=True)
+    return made(tree, brief, k=1, scheduler=scheduler)
+
+
+@EVERY
+def test_the_way_to_a_charger_waits_for_its_turn(scheduler: str) -> None:
+    """
+    Both are done in the east at once, with 10 J left, and at the charger with 5 J; home from there it is 25 m: they take in 20 J, in 2 s.
+    On the track there is room for one. The first holds it for 5 s there and for the 25 s home, so the other sets out 32 s later.
+    """
+    plan = plugged(dock(), scheduler)
+    over = max(one.end_s for one in plan.schedules[0].actions)
+    legs = sorted((one.leg.start_s, one.leg.end_s) for one in plan.schedules[0].recharges if one.leg is not None)
+    assert legs == [(over, over + 5), (over + 32, over + 37)]
+    assert [round(one.amount, 6) for one in plan.schedules[0].recharges] == [20, 20]
+    wide = plugged(dock(2), scheduler)
+    assert [one.leg.start_s for one in wide.schedules[0].recharges if one.leg is not None] == [over, over]
+    for made_plan in (plan, wide):
+        assert check(made_plan) == ()
+        assert recheck(made_plan) == []
+
+
+def test_the_chain_tells_of_waits_for_the_track() -> None:
+    """The last to come home refilled later since the track was taken; without chargers the last waits for the corridor."""
+    plan = plugged(dock(), "greedy")
+    assert [(step.kind, step.bond) for step in chain_of(plan, plan.schedules[0]).steps][-2:] == [
+        ("refill", "robot"),
+        ("home", "robot"),
+    ]
+
+
+def test_the_chain_tells_of_a_way_home_that_waits() -> None:
+    """
+    The slow one goes through the corridor first, from 5 to 45 s, and is done in the east at 107 s; the quick one comes later, gets there at
+    65 s and is done at 127 s. It waits until the slow one is home, at 147 s.
+    """
+    kinds = (
+        RobotType(
+            id=name,
+            count=1,
+            capabilities={"search": 0.9},
+            limits={"max_speed_mps": speed},
+            place="west",
+            available_from_s=since,
+        )
+        for name, speed, since in (("slow", 0.5, 0.0), ("quick", 1.0, 30.0))
+    )
+    tree = flat_tree(
+        *(routine_node(name, "Search", agent=name) for name in ("ann", "bob")),
+        links=(Link("ann", "bob", "different_robot"),),
+    )
+    brief = brief_of(tree, Fleet(tuple(kinds)), scene=corridor(), return_home=True)
+    plan = made(tree, brief, k=1, scheduler="greedy")
+    *_, wait, home = parts_of(plan, plan.schedules[0])
+    assert (wait.what, wait.start_s, wait.end_s) == (
+        "nothing: the way home waits for room in what robots share",
+        127,
+        147,
+    )
+    assert (home.robot, home.what, home.end_s) == ("quick-1", "the way home", 167)
+
+
+def test_both_checkers_see_two_on_the_way_to_a_charger() -> None:
+    """Room for two taken away afterwards: both set out at once, on a track for one."""
+    plan = plugged(dock(2), "greedy")
+    narrow = replace(plan, brief=replace(plan.brief, scene=dock()))
+    assert "resource_overfull" in {one.rule for one in check(narrow)}
+    assert "core_shared" in {one.rule for one in recheck(narrow)}
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_random_teams_between_chargers_and_narrow_roads_keep_every_rule(seed: int) -> None:
+    """A line of five places, narrow here and there, two chargers, two to four searches: whatever is scheduled, both checkers pass."""
+    draw = Random(f"passage {seed}")  # noqa: S311 - luck for tests, not for secrets
+    names = [f"p{number}" for number in range(5)]
+    places = tuple(Entity(id=name, kind="place", position=Position(8 * x, 0)) for x, name in enumerate(names))
+    people = [f"who{number}" for number in range(draw.randint(2, 4))]
+    roads = tuple(Road(ends=ends, resource=draw.choice([None, "gate", "track"])) for ends in pairwise(names))
+    scene = Scene(
+        places=places,
+        entities=tuple(Entity(id=name, kind="person", place=draw.choice(names)) for name in people),
+        roads=RoadGraph(roads=roads),
+        resources=(GATE, SharedResource(id="track", capacity=draw.randint(1, 2))),
+        chargers=tuple(
+            Charger(id=f"plug{number}", place=draw.choice(names), rate_per_s=draw.choice([2, 10]))
+            for number in range(2)
+        ),
+    )
+    kind = RobotType(
+        id="r",
+        count=draw.randint(1, 3),
+        capabilities={"search": 1.0},
+        limits={"max_speed_mps": 1.0, "energy_j": float(draw.randint(30, 60))},
+        uses_per_m={"energy_j": 1.0},
+        place=draw.choice(names),
+    )
+    tree = flat_tree(*(routine_node(name, "Search", agent=name) for name in people))
+    brief = brief_of(tree, Fleet((kind,)), scene=scene, return_home=draw.random() < 0.5)
+    plan = made(tree, brief, k=1, scheduler=draw.choice(["greedy", "auto"]))
+    assert check(plan) == ()
+    assert recheck(plan) == []

@@ -63,17 +63,23 @@ def _held(case: Case, timetable: Timetable) -> dict[str, list[_Hold]]:
         for name in deed.action.holds:
             hold = _Hold(deed.start, deed.end, deed.robot, named(timetable.tree, deed.leaf))
             found.setdefault(name, {})[deed.leaf, True] = hold
-    for leg in timetable.schedule.legs:
-        deed_of = timetable.deeds.get(leg.leaf)
+    for way in timetable.schedule.legs:
+        deed_of = timetable.deeds.get(way.leaf)
         is_move = deed_of is not None and deed_of.action.moves
-        for name in _passed(case, leg):
-            hold = _Hold(tick(leg.start_s), tick(leg.end_s), leg.robot, f"the way to {named(timetable.tree, leg.leaf)}")
-            found.setdefault(name, {}).setdefault((leg.leaf, is_move), hold)
+        for name in _passed(case, way):
+            hold = _Hold(tick(way.start_s), tick(way.end_s), way.robot, f"the way to {named(timetable.tree, way.leaf)}")
+            found.setdefault(name, {}).setdefault((way.leaf, is_move), hold)
     for home in timetable.schedule.returns:
         for name in _passed(case, home):
             found.setdefault(name, {})[home.robot] = _Hold(
                 tick(home.start_s), tick(home.end_s), home.robot, "the way home"
             )
+    for number, visit in enumerate(timetable.schedule.recharges):
+        leg = visit.leg
+        for name in _passed(case, leg) if leg is not None else ():
+            assert leg is not None
+            hold = _Hold(tick(leg.start_s), tick(leg.end_s), visit.robot, f"the way to {visit.charger}")
+            found.setdefault(name, {})[visit.robot, number] = hold
     return {name: list(holds.values()) for name, holds in found.items()}
 
 

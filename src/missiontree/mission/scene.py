@@ -165,11 +165,6 @@ class Scene(Value):
                     f"{what} names {resource!r}, which is no shared resource of the scene; "
                     f"it has {', '.join(self.shared) or 'none; declare them under resources'}."
                 )
-        if self.chargers and self.passages:
-            raise ValueError(
-                "ways to chargers do not wait for shared resources of roads and lifts yet; take the chargers out of the scene, or the "
-                "resource off its roads and lifts."
-            )
         for lift in self.roads.lifts:
             for stop in lift.stops:
                 if stop not in known:

@@ -41,9 +41,9 @@ def _spans(facts: Facts, resource: str) -> list[Span]:
         counted = action_of is not None and action_of.moves and resource in action_of.holds
         if not counted and _lies_on(facts, resource, leg):
             spans.append((milliseconds(leg.start_s), milliseconds(leg.end_s)))
-    for home in facts.schedule.returns:
-        if _lies_on(facts, resource, home):
-            spans.append((milliseconds(home.start_s), milliseconds(home.end_s)))
+    for own in [*facts.schedule.returns, *(visit.leg for visit in facts.schedule.recharges)]:
+        if own is not None and _lies_on(facts, resource, own):
+            spans.append((milliseconds(own.start_s), milliseconds(own.end_s)))
     return spans
 
 

@@ -20,13 +20,17 @@ from missiontree.scheduling.chargers import Station
 from missiontree.scheduling.charging import spend
 from missiontree.scheduling.demand import Demand, Demands
 from missiontree.scheduling.impossible import TOLERANCE
+from missiontree.scheduling.passage import ways_held
 from missiontree.scheduling.problem import Refill
-from missiontree.scheduling.room import Hold, first_room
-from missiontree.scheduling.trips import Spot
+from missiontree.scheduling.room import Hold, first_room, room_for
+from missiontree.scheduling.trips import Spot, Trip
 from missiontree.scheduling.world_state import RobotState
 
 MOST_STOPS = 4
 """Chargers that a robot goes to one after the other before it does something."""
+
+_WAYS_TO_CHARGERS = -(1 << 41)
+"""Below all numbers of activities, of ways to actions and of ways home."""
 
 Levels = Mapping[str, float]
 
@@ -112,7 +116,7 @@ class Detours:
         if more is None:
             others = self._board.problem.fleet.by_id[robot.type_id].usable - 1
             more = self._board.open_roles[robot.type_id] - 1 > (others if self._board.rule.refill == "enough" else 0)
-        if taken:
+        if taken or self._board.problem.sharing.on_ways:  # then ways of others change what is soonest, too
             return self._seek(role, robot, taken, more=more)
         board, levels = self._board, tuple(robot.left[name] for name in sorted(self._chargers.refilled[robot.type_id]))
         state = robot.free_at, robot.stand, levels, len(board.refills), board.world.moves, more
@@ -159,6 +163,8 @@ class Detours:
             robot.spot, robot.stand, robot.free_at = station.spot, board.world.number(station.spot), one.end
             board.refills.append(one)
             board.plugged.setdefault(station.id, []).append(Hold(one.start, one.end, 1))
+            for name in one.trip.holds:
+                board.held[name][_WAYS_TO_CHARGERS - len(board.refills)] = one.way_hold
 
     # --- seeking ----------------------------------------------------------------------------------------------------
 
@@ -267,12 +273,24 @@ class Detours:
         amount = target - levels[stock]
         if amount <= TOLERANCE:
             return None
-        arrives, lasts = stop.free_at + trip.ticks, station.lasts(amount)
+        leaves = self._sets_out(stop, trip, taken)
+        if leaves is None:
+            return None
+        arrives, lasts = leaves + trip.ticks, station.lasts(amount)
         held = [Hold(one.start, one.end, 1) for one in taken if one.station.id == station.id]
         start = first_room([*board.plugged.get(station.id, ()), *held], station.capacity, 1, arrives, lasts)
         assert start is not None, "visits to chargers have an end"
-        refill = Refill(robot.id, station, trip, stop.free_at, arrives, start, start + lasts, amount)
+        refill = Refill(robot.id, station, trip, leaves, arrives, start, start + lasts, amount)
         return _Stop(start + lasts, station.spot, {**levels, stock: target}, (*stop.refills, refill))
+
+    def _sets_out(self, stop: _Stop, trip: Trip, taken: Sequence[Refill]) -> int | None:
+        """When a robot can go on to a charger: once there is room in what it holds on the way; None if nobody knows when."""
+        board, others = self._board, ways_held(taken)
+
+        def held(name: str) -> list[Hold]:
+            return [*board.held[name].values(), *others.get(name, ())]
+
+        return room_for(board.problem.sharing, dict.fromkeys(trip.holds, 1), held, stop.free_at, trip.ticks)
 
 
 def _lasts(levels: Levels, needed: Levels) -> bool:

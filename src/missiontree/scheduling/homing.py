@@ -34,16 +34,18 @@ def go_home(board: Board, detours: Detours) -> None:
     """
     if not board.problem.returning:
         return
-    for name in sorted({one.robot for one in board.done.values()}):
-        robot = board.world.robots[name]
+    robots = (board.world.robots[name] for name in {one.robot for one in board.done.values()})
+    for robot in sorted(
+        robots, key=lambda one: (one.free_at, one.id)
+    ):  # who is done first has first go at what robots share
         if detours.refills(robot.type_id) and (stance := detours.before_home(robot)) is not None:
             detours.visit(robot, stance.refills)
         trip = board.problem.trips.approach(robot.type_id, robot.spot, robot.home)
         if isinstance(trip, Blocked):
-            raise StuckError(_blocked(f"{name} ends where no way leads home", trip, name))
+            raise StuckError(_blocked(f"{robot.id} ends where no way leads home", trip, robot.id))
         spend(board, robot, {}, trip, "its way home")
         leaves_at = _sets_out(board, robot, trip)
-        board.returns.append(Homeward(name, trip, leaves_at, leaves_at + trip.ticks))
+        board.returns.append(Homeward(robot.id, trip, leaves_at, leaves_at + trip.ticks))
         robot.spot, robot.stand, robot.free_at = robot.home, robot.home_stand, leaves_at + trip.ticks
 
 

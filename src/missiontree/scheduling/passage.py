@@ -7,14 +7,14 @@ this out of account, so that they ask for less than the mission does; what they 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from missiontree.estimation.travel import Blocked
 from missiontree.scheduling.board import Board
+from missiontree.scheduling.problem import Refill
 from missiontree.scheduling.room import Hold, room_for
 from missiontree.scheduling.trips import Trip
-from missiontree.scheduling.world_state import RobotState
 
 Trips = Mapping[int, Trip | Blocked | None]
 
@@ -48,8 +48,23 @@ def wanted_by(board: Board, activity: int, trips: Trips) -> dict[str, int]:
     return wanted
 
 
+def ways_held(refills: Iterable[Refill]) -> dict[str, list[Hold]]:
+    """What is held on ways to chargers that robots are about to go, by resource."""
+    found: dict[str, list[Hold]] = {}
+    for refill in refills:
+        for name in refill.trip.holds:
+            found.setdefault(name, []).append(refill.way_hold)
+    return found
+
+
 def find_passage(
-    board: Board, activity: int, robots: Mapping[int, RobotState], trips: Trips, start: int, lasts: int | None
+    board: Board,
+    activity: int,
+    free: Mapping[int, int],
+    trips: Trips,
+    start: int,
+    lasts: int | None,
+    refills: Sequence[Refill] = (),
 ) -> Passage | None:
     """
     When an activity can start with all the room that it and the ways to it need; None if some of it is held nobody knows how long.
@@ -58,15 +73,17 @@ def find_passage(
     ----------
     board, activity
         The run, and what is to be placed.
-    robots, trips
-        Who does it and their ways, by leaf.
+    free, trips
+        When the robots of it can set out, refilled if they must be, and their ways, by leaf.
     start
         Not before.
     lasts
         How long it takes; None if nobody knows yet.
+    refills
+        Visits to chargers that they are about to make before. Default: none.
     """
     givers = board.problem.hand_overs.givers(activity)  # they let go when it starts
-    own: dict[str, list[Hold]] = {}
+    own = ways_held(refills)
     departs: dict[int, int] = {}
 
     def held(name: str) -> list[Hold]:
@@ -76,9 +93,7 @@ def find_passage(
         trip = trips[leaf]
         if action.moves or not isinstance(trip, Trip) or not trip.holds:
             continue
-        departs_at = room_for(
-            board.problem.sharing, dict.fromkeys(trip.holds, 1), held, robots[leaf].free_at, trip.ticks
-        )
+        departs_at = room_for(board.problem.sharing, dict.fromkeys(trip.holds, 1), held, free[leaf], trip.ticks)
         if departs_at is None:
             return None
         departs[leaf] = departs_at

@@ -100,8 +100,10 @@ class Placing:
             lasts = length(board, activity, trips)
             start = max(start, board.least_end.get(activity, 0) - lasts)
             open_ended = activity in board.graph.until or activity in board.problem.hand_overs.taker
-            who = {leaf: robots[action.role] for leaf, action in actions}
-            found = find_passage(board, activity, who, trips, start, None if open_ended else lasts)
+            free = {role: stances[role].free_at if role in stances else robot.free_at for role, robot in robots.items()}
+            free_of = {leaf: free[action.role] for leaf, action in actions}
+            refills = [one for stance in stances.values() for one in stance.refills]
+            found = find_passage(board, activity, free_of, trips, start, None if open_ended else lasts, refills)
             if found is None:
                 return None
             start, departs = found.start, found.departs

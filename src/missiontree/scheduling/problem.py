@@ -14,6 +14,7 @@ from missiontree.scheduling.chargers import NO_CHARGERS, Chargers, Station
 from missiontree.scheduling.hand_overs import NO_HAND_OVERS, HandOvers
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import TaskGraph
+from missiontree.scheduling.room import Hold
 from missiontree.scheduling.sharing import NOTHING_SHARED, Sharing
 from missiontree.scheduling.staffing import Staffing
 from missiontree.scheduling.trips import Trip, Trips
@@ -130,6 +131,11 @@ class Refill:
     start: int
     end: int
     amount: float
+
+    @property
+    def way_hold(self) -> Hold:
+        """How long the robot holds what lies on its way there."""
+        return Hold(self.leaves_at, self.arrives_at, 1)
 
 
 @dataclass(frozen=True, slots=True)

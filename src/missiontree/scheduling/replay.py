@@ -164,7 +164,8 @@ class _Replay:
         departs: Mapping[int, int] = {}
         if board.problem.sharing.on_ways:  # else the course says who waits for whom
             lasting = activity in self._graph.until or activity in board.problem.hand_overs.taker
-            passage = find_passage(board, activity, robots, trips, start, None if lasting else lasts)
+            free = {leaf: robot.free_at for leaf, robot in robots.items()}
+            passage = find_passage(board, activity, free, trips, start, None if lasting else lasts)
             if passage is None:
                 name = self._graph.name(self._graph.activities[activity][0])
                 message = f"{name!r} finds no room in a shared resource."
