@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 from dataclasses import FrozenInstanceError, dataclass, field
+from types import MappingProxyType
 from typing import Annotated
 
 import pytest
@@ -58,6 +59,11 @@ def test_lists_and_dicts_become_immutable() -> None:
         ({"loads": {"bad key": 1}}, ["key of loads must be an id"]),
         ({"loads": {"x": -2}}, ["loads.x must be at least 0"]),
         ({"loads": [1]}, ["loads must be a mapping"]),
+        ({"loads": {"x": float("inf")}}, ["loads.x must be a finite number"]),
+        ({"loads": {"y": True}}, ["loads.y must be a finite number"]),
+        ({"speed": True}, ["speed must be a finite number"]),
+        ({"index": 2.0}, ["index must be a whole number"]),
+        ({"places": ["ok", 3]}, ["places[1] must be an id"]),
         ({"level": -4}, ["level must be at least -3"]),
         ({"level": 1.5}, ["level must be a whole number", "1.5"]),
         ({"note": 3}, ["note must be text", "3"]),
@@ -84,6 +90,16 @@ def test_a_frozen_map_equals_its_mapping_and_survives_copies(items: dict[str, in
     assert pickle.loads(pickle.dumps(frozen)) == frozen  # noqa: S301 - our own bytes
     with pytest.raises(AttributeError):
         frozen.anything = 1
+
+
+@given(st.dictionaries(st.text(), st.integers()), st.dictionaries(st.text(), st.integers()))
+def test_a_frozen_map_answers_as_a_dict_does(items: dict[str, int], others: dict[str, int]) -> None:
+    frozen, other = FrozenMap(items), MappingProxyType(others)
+    assert (list(frozen.keys()), list(frozen.values())) == (list(items.keys()), list(items.values()))
+    assert list(frozen.items()) == list(items.items())
+    assert [name in frozen for name in others] == [name in items for name in others]
+    assert (frozen == other, frozen == FrozenMap(others)) == (items == others, items == others)
+    assert frozen != list(items)
 
 
 def test_a_repeated_id_is_named() -> None:

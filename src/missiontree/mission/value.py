@@ -66,8 +66,10 @@ class Value:
         rules = _RULES.get(type(self))
         if rules is None:
             rules = _RULES[type(self)] = _field_rules(type(self))
-        for name, freeze in rules:
+        for name, plain, freeze in rules:
             given = getattr(self, name)
+            if type(given) is plain:
+                continue
             frozen = freeze(name, given)
             if frozen is not given:
                 object.__setattr__(self, name, frozen)
@@ -86,13 +88,30 @@ def require_unique(what: str, ids: tuple[str, ...]) -> None:
         seen.add(identifier)
 
 
-_RULES: dict[type[Any], tuple[tuple[str, Freeze], ...]] = {}
+Rules = tuple[tuple[str, type[Any] | None, Freeze], ...]
+"""By field: the type of which every value may stay as it is, and what to do with all others."""
+_RULES: dict[type[Any], Rules] = {}
 
 
-def _field_rules(cls: type[Any]) -> tuple[tuple[str, Freeze], ...]:
+def _field_rules(cls: type[Any]) -> Rules:
     hints = get_type_hints(cls, include_extras=True)
-    rules = ((name, _rule(hint)) for name, hint in hints.items() if get_origin(hint) is not ClassVar)
-    return tuple((name, rule) for name, rule in rules if rule is not None)
+    rules = ((name, *_field_rule(hint)) for name, hint in hints.items() if get_origin(hint) is not ClassVar)
+    return tuple((name, plain, rule) for name, plain, rule in rules if rule is not None)
+
+
+def _field_rule(annotation: Any) -> tuple[type[Any] | None, Freeze | None]:
+    only = _only(annotation)
+    if only is not None:
+        return NoneType, _rule(only)
+    return {str: str, int: int}.get(annotation), _rule(annotation)
+
+
+def _only(annotation: Any) -> Any:
+    """The other arm of what may be None, and something of one kind alone; else None."""
+    if get_origin(annotation) not in {Union, UnionType}:
+        return None
+    arms = [arg for arg in get_args(annotation) if arg is not NoneType]
+    return arms[0] if len(arms) == 1 else None
 
 
 def _rule(annotation: Any) -> Freeze | None:
@@ -101,8 +120,7 @@ def _rule(annotation: Any) -> Freeze | None:
     if origin is Annotated:
         return _constrained(args[0], args[1:])
     if origin in {Union, UnionType}:
-        arms = [arg for arg in args if arg is not NoneType]
-        only = _rule(arms[0]) if len(arms) == 1 else None
+        only = _rule(_only(annotation))
         return None if only is None else lambda name, given: given if given is None else only(name, given)
     if origin is tuple:
         return _sequence(_rule(args[0]), args)
@@ -121,8 +139,11 @@ def _constrained(base: Any, marks: tuple[Any, ...]) -> Freeze | None:
     low, inclusive = lows[0]
 
     plain = _whole if base is int else _number
+    types = (int,) if base is int else (float, int)
 
     def bounded(name: str, given: Any) -> Any:
+        if type(given) in types and low < given < math.inf:  # as nearly all are
+            return given
         plain(name, given)
         if given < low or (given == low and not inclusive):
             raise ValueError(f"{name} must be {'at least' if inclusive else 'above'} {low}, got {given}.")
@@ -163,27 +184,36 @@ _PLAIN: dict[type, Freeze] = {float: _number, int: _whole, str: _text}
 
 def _sequence(inner: Freeze | None, args: tuple[Any, ...]) -> Freeze:
     def freeze(name: str, given: Any) -> Any:
-        if isinstance(given, str) or not hasattr(given, "__iter__"):
+        if not isinstance(given, tuple) and (isinstance(given, str) or not hasattr(given, "__iter__")):
             raise ValueError(f"{name} must be a list, got {given!r}.")
         items = given if isinstance(given, tuple) else tuple(given)
-        if inner is None:
+        if inner is None or not items:
             return items
-        frozen = tuple(inner(f"{name}[{index}]", item) for index, item in enumerate(items))
+        try:
+            frozen = tuple([inner("", item) for item in items])
+        except ValueError:  # once more, for the name that stands in its message
+            frozen = tuple(inner(f"{name}[{index}]", item) for index, item in enumerate(items))
         return items if frozen == items else frozen
 
     return freeze
 
 
+def _as_it_is(name: str, given: Any) -> Any:
+    return given
+
+
 def _mapping(key_rule: Freeze | None, value_rule: Freeze | None) -> Freeze:
+    of_key, of_value = key_rule or _as_it_is, value_rule or _as_it_is
+
     def freeze(name: str, given: Any) -> Any:
+        if isinstance(given, FrozenMap) and not given:
+            return given
         if not isinstance(given, Mapping):
             raise ValueError(f"{name} must be a mapping, got {given!r}.")
-        items = {
-            key_rule(f"key of {name}", key) if key_rule else key: value_rule(f"{name}.{key}", value)
-            if value_rule
-            else value
-            for key, value in given.items()
-        }
+        try:
+            items = {of_key("", key): of_value("", value) for key, value in given.items()}
+        except ValueError:  # once more, for the name that stands in its message
+            items = {of_key(f"key of {name}", key): of_value(f"{name}.{key}", value) for key, value in given.items()}
         return given if isinstance(given, FrozenMap) and given == items else FrozenMap(items)
 
     return freeze

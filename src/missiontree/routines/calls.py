@@ -12,7 +12,7 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.tree import MissionNode, MissionTree
 from missiontree.routines.arguments import check_resources, find_entities, find_routine
-from missiontree.routines.compose import FlatBranch, FlatRole
+from missiontree.routines.compose import FlatBranch, FlatRole, flatten
 from missiontree.routines.itinerary import Itineraries, Travel, unreachable
 from missiontree.routines.offers import BranchOffer, Offers, offers_for
 from missiontree.routines.staffing import shortage
@@ -92,8 +92,9 @@ class Call:
 
 @dataclass(slots=True)
 class _Remembered:
-    """Calls that are alike are worked out once."""
+    """Calls that are alike are worked out once, and what calls of the same routine share."""
 
+    branches: dict[str, tuple[FlatBranch, ...]] = field(default_factory=dict)
     offers: dict[Key, tuple[Mapping[str, Entity], Offers, Touch]] = field(default_factory=dict)
     calls: dict[tuple[Key, frozenset[str]], Call] = field(default_factory=dict)
 
@@ -111,7 +112,7 @@ def calls_of(tree: MissionTree, brief: MissionBrief, world: Scene) -> dict[str, 
     remembered = _Remembered()
     for node in leaves:
         if _key(node) not in remembered.offers:
-            remembered.offers[_key(node)] = _offered(node, brief, world)
+            remembered.offers[_key(node)] = _offered(node, brief, world, remembered.branches)
     movers = Counter(entity for node in leaves for entity in remembered.offers[_key(node)][2].moves)
     itineraries = Itineraries(world)
     calls: dict[str, Call] = {}
@@ -132,11 +133,15 @@ def _key(node: MissionNode) -> Key:
     return node.routine, tuple(node.arguments.items()), node.resources
 
 
-def _offered(node: MissionNode, brief: MissionBrief, world: Scene) -> tuple[Mapping[str, Entity], Offers, Touch]:
+def _offered(
+    node: MissionNode, brief: MissionBrief, world: Scene, branches: dict[str, tuple[FlatBranch, ...]]
+) -> tuple[Mapping[str, Entity], Offers, Touch]:
     assert node.routine is not None, "only routine nodes are calls"
     routine = find_routine(node.routine, brief.routines, node.id)
     entities = find_entities(routine, node.arguments, world, node.id)
     check_resources(node.resources, brief.fleet, f"{node.id}.resources")
+    if routine.id not in branches:
+        branches[routine.id] = flatten(routine, brief.routines)
     offers = offers_for(
         routine,
         entities,
@@ -146,6 +151,7 @@ def _offered(node: MissionNode, brief: MissionBrief, world: Scene) -> tuple[Mapp
         resources=node.resources,
         check_kinds=brief.check_kinds,
         terms=brief.terms,
+        flat=branches[routine.id],
     )
     return entities, offers, _touch(entities, [offer.branch for offer in offers.branches])
 

@@ -79,6 +79,7 @@ def offers_for(
     resources: tuple[str, ...] | None = None,
     check_kinds: bool = True,
     terms: Terms = NO_TERMS,
+    flat: tuple[FlatBranch, ...] | None = None,
 ) -> Offers:
     """
     What a call of a routine has on offer.
@@ -99,6 +100,8 @@ def offers_for(
         Whether kinds of arguments are enforced. Default true.
     terms
         Who is left out of the mission, and how good every action must be. Default: nobody, and anything goes.
+    flat
+        The routine's flat branches, where they are known already. Default: worked out.
 
     Raises
     ------
@@ -108,7 +111,7 @@ def offers_for(
     check_arguments(routine, entities, routine.id)
     check_resources(resources, fleet, routine.id)
     call = f"{routine.id}({', '.join(entities[argument.name].label for argument in routine.arguments)})"
-    flat = flatten(routine, library)
+    flat = flatten(routine, library) if flat is None else flat
     offered: list[BranchOffer] = []
     team = terms.team_of(fleet)
     refused: list[Reason] = [*_left_out(call, fleet, team), *_excluded(call, team, resources)]
