@@ -61,7 +61,7 @@ def quality_differs(case: Case) -> Iterator[Fault]:
 
 def routine_not_followed(case: Case) -> Iterator[Fault]:
     """The actions of a role are those of no branch of its routine."""
-    for part in _parts(case):
+    for part in case.once(_parts, None):
         if not part.readings:
             names = ", ".join(action.name for action in part.actions)
             yield _about(
@@ -75,7 +75,7 @@ def routine_not_followed(case: Case) -> Iterator[Fault]:
 
 def resource_excluded(case: Case) -> Iterator[Fault]:
     """A robot type is not among the resources that the mission allows for the node."""
-    for part in _parts(case):
+    for part in case.once(_parts, None):
         allowed = part.node.resources
         if allowed is not None and part.actions[0].robot_type not in allowed:
             found, needed = part.actions[0].robot_type, ", ".join(allowed) or "none"
@@ -106,7 +106,7 @@ def quality_below_minimum(case: Case) -> Iterator[Fault]:
 
 def _below_named(case: Case, least: Mapping[str, float]) -> Iterator[Fault]:
     by_capability = {leaf: least.get(action.capability, 0.0) for leaf, action in _actions(case)}
-    for part in _parts(case):
+    for part in case.once(_parts, None):
         # Of several ways to read a part, that which asks least: the others are not said to be taken.
         for place, leaf in enumerate(part.leaves):
             asked = [_asked(least, part, reading, place) for reading in part.readings]
@@ -136,7 +136,7 @@ def zone_forbidden(case: Case) -> Iterator[Fault]:
 
 def action_differs(case: Case) -> Iterator[Fault]:
     """An action is not what its routine and the fleet make of it: place, duration, use of budgets, or what it brings, finds or holds."""
-    for part in _parts(case):
+    for part in case.once(_parts, None):
         kind = case.fleet.by_id.get(part.actions[0].robot_type)
         problems = [_difference(case, reading, part, kind) for reading in part.readings]
         if problems and all(problem is not None for problem in problems) and (problem := problems[0]) is not None:
@@ -149,7 +149,7 @@ Problem = Callable[[Case, RobotType, Stretch], tuple[str, str, str] | None]
 
 def _unmet(case: Case, problem_of: Problem) -> Iterator[Fault]:
     """Parts none of whose readings is free of a problem; the problem of the first is told."""
-    for part in _parts(case):
+    for part in case.once(_parts, None):
         kind = case.fleet.by_id.get(part.actions[0].robot_type)
         if kind is None or not part.readings:
             continue
@@ -225,7 +225,7 @@ def _zones(case: Case, entity: Entity) -> tuple[str, ...]:
         return (entity.zone,)
     if entity.place is not None and (zone := case.scene.by_id[entity.place].zone) is not None:
         return (zone,)
-    spot = case.scene.whereabouts(entity).position
+    spot = case.scene.spots[entity.id]
     if spot is None:
         return ()
     areas = (
@@ -284,10 +284,11 @@ def _actions(case: Case) -> Iterator[tuple[int, Action]]:
             yield leaf, node.action
 
 
-def _parts(case: Case) -> Iterator[Part]:
+def _parts(case: Case, _whole: None) -> list[Part]:
     """Leaves by parent and role, where their node is a routine call that makes sense."""
+    parts: list[Part] = []
     if case.tree is None or case.mission_tree is None:
-        return
+        return parts
     groups: dict[tuple[str, int, int], list[int]] = {}
     for leaf, action in _actions(case):
         node = case.tree.nodes[leaf]
@@ -300,7 +301,8 @@ def _parts(case: Case) -> Iterator[Part]:
             continue
         actions = tuple(case.tree.action(leaf) for leaf in leaves)
         found = [reading for chain in chains(routine, call.arguments, library) for reading in readings(chain, actions)]
-        yield Part(call, tuple(leaves), actions, tuple(map(tuple, found)))
+        parts.append(Part(call, tuple(leaves), actions, tuple(map(tuple, found))))
+    return parts
 
 
 def _about(case: Case, leaf: int, what: str, found: str, needed: str) -> Fault:

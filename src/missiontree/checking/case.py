@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from functools import cached_property
+from typing import Any, TypeVar
 
 from missiontree.checking.fault import Fault
 from missiontree.checking.staffing import Staffing
@@ -25,6 +26,8 @@ from missiontree.mission.tree import MissionNode, MissionTree
 from missiontree.routines.ground import ground
 
 WORKING = ("optimal", "feasible")
+About = TypeVar("About")
+Made = TypeVar("Made")
 
 
 class Case:
@@ -39,6 +42,15 @@ class Case:
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
+        self._made: dict[tuple[object, object], Any] = {}
+
+    def once(self, work: Callable[[Case, About], Made], about: About) -> Made:
+        """What a function makes of this case and of something in it, worked out for the first rule that asks."""
+        key = (work, about)
+        if key not in self._made:
+            self._made[key] = work(self, about)
+        made: Made = self._made[key]
+        return made
 
     @property
     def fleet(self) -> Fleet:

@@ -35,6 +35,7 @@ class Haunts:
         self._too_many = sum(map(len, self._moves.values())) > MOST_MOVES
         self._spots: dict[tuple[str, int], frozenset[Spot]] = {}
         self._of_type: dict[str, frozenset[Spot]] = {}
+        self._starts: dict[str, frozenset[Spot]] = {}
         for leaf, action in self._actions.items():
             if action.moves and action.at is not None:
                 self._find(action.at, leaf, ())
@@ -64,7 +65,9 @@ class Haunts:
 
     def starts(self, type_id: str) -> frozenset[Spot]:
         """Where robots of a type start."""
-        return frozenset(start_spot(self._case, robot) for robot in self._case.at_hand(type_id))
+        if type_id not in self._starts:
+            self._starts[type_id] = frozenset(start_spot(self._case, robot) for robot in self._case.at_hand(type_id))
+        return self._starts[type_id]
 
     def _surely_before(self, first: int, second: int) -> bool:
         """Whether order puts one action before another, or before or after one that is joint with it."""
@@ -83,8 +86,7 @@ class Haunts:
         if key in asking or len(asking) > MOST_MOVES:
             return ANYWHERE
         before = self._surely_before
-        value = self._case.scene.by_id.get(entity)
-        found: set[Spot] = {self._case.scene.whereabouts(value).position if value is not None else None}
+        found: set[Spot] = {self._case.scene.spots.get(entity)}
         moves = [move for move in self._moves.get(entity, ()) if move != leaf]
         if moves and self._too_many:
             return ANYWHERE

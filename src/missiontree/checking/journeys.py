@@ -73,8 +73,7 @@ class Movements:
         return found
 
     def _initial(self, entity: str) -> tuple[Spot, ...]:
-        value = self._case.scene.by_id.get(entity)
-        return (self._case.scene.whereabouts(value).position if value is not None else None,)
+        return (self._case.scene.spots.get(entity),)
 
 
 def start_spot(case: Case, robot: Robot | None) -> Spot:
@@ -83,16 +82,13 @@ def start_spot(case: Case, robot: Robot | None) -> Spot:
         return None
     if robot.position is not None:
         return case.scene.in_map(robot.position)
-    if robot.place is not None and robot.place in case.scene.by_id:
-        return case.scene.whereabouts(case.scene.by_id[robot.place]).position
-    return None
+    return case.scene.spots.get(robot.place or "")
 
 
 def journeys(case: Case, timetable: Timetable) -> Iterator[Journey]:
     """What every robot of a schedule has to travel, robot by robot, in order of time."""
-    movements = Movements(case, timetable)
-    for robot in timetable.by_robot:
-        yield from (step for step in _steps(case, timetable, movements, robot) if isinstance(step, Journey))
+    for steps in case.once(_walks, timetable).values():
+        yield from (step for step in steps if isinstance(step, Journey))
 
 
 class Stand(NamedTuple):
@@ -104,13 +100,8 @@ class Stand(NamedTuple):
 
 def final_stands(case: Case, timetable: Timetable) -> dict[str, Stand]:
     """Where every robot that does something is in the end."""
-    movements = Movements(case, timetable)
-    return {
-        robot: step
-        for robot in timetable.by_robot
-        for step in _steps(case, timetable, movements, robot)
-        if isinstance(step, Stand)
-    }
+    walks = case.once(_walks, timetable)
+    return {robot: step for robot, steps in walks.items() for step in steps if isinstance(step, Stand)}
 
 
 class Visit(NamedTuple):
@@ -124,12 +115,19 @@ class Visit(NamedTuple):
 
 def visits(case: Case, timetable: Timetable) -> Iterator[Visit]:
     """Every visit to a charger, robot by robot, in order of time."""
+    for steps in case.once(_walks, timetable).values():
+        yield from (step for step in steps if isinstance(step, Visit))
+
+
+Step = Journey | Visit | Stand
+
+
+def _walks(case: Case, timetable: Timetable) -> dict[str, tuple[Step, ...]]:
     movements = Movements(case, timetable)
-    for robot in timetable.by_robot:
-        yield from (step for step in _steps(case, timetable, movements, robot) if isinstance(step, Visit))
+    return {robot: tuple(_steps(case, timetable, movements, robot)) for robot in timetable.by_robot}
 
 
-def _steps(case: Case, timetable: Timetable, movements: Movements, robot: str) -> Iterator[Journey | Visit | Stand]:
+def _steps(case: Case, timetable: Timetable, movements: Movements, robot: str) -> Iterator[Step]:
     """A robot's journeys and its visits to chargers in order of time, then where it ends."""
     spot, free_from = start_spot(case, case.fleet.robots.get(robot)), 0
     for deed in timetable.turns(robot):

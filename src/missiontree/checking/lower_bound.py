@@ -50,7 +50,7 @@ class _Bound:
     def __init__(self, case: Case, timetable: Timetable) -> None:
         self._case, self._staffing = case, timetable.staffing
         self._actions = timetable.staffing.actions
-        self._haunts = Haunts(case, timetable)
+        self._haunts = case.once(Haunts, timetable)
         self._group = {leaf: ("alone", leaf) for leaf in self._actions}
         for sync, leaves in self._staffing.joint.items():
             self._group |= dict.fromkeys(leaves, ("joint", sync))

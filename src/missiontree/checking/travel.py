@@ -171,11 +171,18 @@ def _journeys(case: Case) -> Iterator[tuple[Timetable, Journey]]:
 
 def _travelled(case: Case) -> Iterator[Travelled]:
     """Legs that lead to an action with a place, of robots that there are."""
-    for timetable, journey in _journeys(case):
+    for timetable in case.timetables:
+        yield from case.once(_travelled_by, timetable)
+
+
+def _travelled_by(case: Case, timetable: Timetable) -> list[Travelled]:
+    found = []
+    for journey in journeys(case, timetable):
         leg = timetable.legs.get((journey.deed.robot, journey.deed.leaf))
         kind = case.fleet.type_of.get(journey.deed.robot)
         if leg is not None and kind is not None:
-            yield Travelled(timetable, journey, leg, kind)
+            found.append(Travelled(timetable, journey, leg, kind))
+    return found
 
 
 def _speed(case: Case, made: Travelled) -> float | None:

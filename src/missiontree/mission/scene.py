@@ -183,6 +183,11 @@ class Scene(Value):
         return {entity.id: entity for entity in self.all_entities}
 
     @cached_property
+    def spots(self) -> dict[str, Position | None]:
+        """Where planning takes places and entities to be, by id; None where nothing is known. See :meth:`whereabouts`."""
+        return {entity.id: self.whereabouts(entity).position for entity in self.all_entities}
+
+    @cached_property
     def shared(self) -> dict[str, SharedResource]:
         """Shared resources by id."""
         return {resource.id: resource for resource in self.resources}

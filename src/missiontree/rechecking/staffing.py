@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
 
 from missiontree.mission.alternative import Assignment
 from missiontree.mission.reason import Reason
@@ -83,12 +84,14 @@ def _right_types(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[Reason]:
 
 
 def _different_in_teams(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[Reason]:
-    for one, robot in robot_of.items():
-        for other, same in robot_of.items():
-            team = facts.tree.roles[one].team
-            if one < other and robot == same and team is not None and team == facts.tree.roles[other].team:
-                message = f"{robot} fills roles {one} and {other}, which need different robots."
-                yield broken("core_different_robots", message, node=other, robot=robot)
+    filled: dict[tuple[int, str], list[int]] = {}
+    for role, robot in robot_of.items():
+        if (team := facts.tree.roles[role].team) is not None:
+            filled.setdefault((team, robot), []).append(role)
+    for (_, robot), roles in filled.items():
+        for one, other in combinations(sorted(roles), 2):
+            message = f"{robot} fills roles {one} and {other}, which need different robots."
+            yield broken("core_different_robots", message, node=other, robot=robot)
 
 
 def _linked(facts: Facts, robot_of: Mapping[int, str]) -> Iterator[Reason]:
