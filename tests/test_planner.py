@@ -8,18 +8,20 @@ from typing import Any
 
 import pytest
 
+from benchmarks.random_missions import write_mission
 from missiontree import Entity, Fleet, Plan, Position, RobotType, Scene, check, plan
 from missiontree.briefing import request_from
 from missiontree.errors import InputError
 from missiontree.formats.document import read_text, write_text
 from missiontree.llm.scripted import ScriptedModel, Turn
-from missiontree.mission.control import Control
+from missiontree.mission.control import Control, Progress
 from missiontree.mission.routine import ActionStep, Argument, Branch, RoleSpec, Routine
 from missiontree.mission.schedule import Schedule
 from missiontree.planner import plan_request
 from missiontree.reporting.text import plan_text
 from missiontree.samples.catalogue import SAMPLES, sample_file
 from missiontree.scheduling import SCHEDULERS
+from missiontree.scheduling.serial import SMALL
 
 CARRIED = {"tele_robot", "transportation_robot"}
 LED = {"tele_robot", "social_robot"}
@@ -194,6 +196,28 @@ def test_time_zero_returns_a_named_outcome() -> None:
     made = plan(sample_file("rescue"), control=Control(time_limit_s=0))
     assert made.outcome in {"exhausted", "delivered"}
     assert made.outcome == "delivered" or made.reasons
+
+
+def stopped_after_the_first_schedule() -> Control:
+    """Somebody says stop once an alternative has a schedule."""
+    heard: list[Progress] = []
+    return Control(report=heard.append, stop=lambda: any(news.best is not None for news in heard))
+
+
+def test_once_time_is_up_no_other_alternative_of_many_actions_is_begun(tmp_path: Path) -> None:
+    made = plan(write_mission(tmp_path, 20, 6, 1), k=3, control=stopped_after_the_first_schedule())
+    assert [schedule.status for schedule in made.schedules] == ["feasible", "unknown", "unknown"]
+    assert len(made.schedules[0].actions) > SMALL
+    for schedule in made.schedules[1:]:
+        assert [reason.rule for reason in schedule.reasons] == ["time_limit"]
+        assert schedule.certificate.bound is None
+    assert check(made) == ()
+
+
+def test_alternatives_of_a_few_actions_are_scheduled_even_if_time_is_up() -> None:
+    made = plan("Reunite mom with her lost child", k=4, control=stopped_after_the_first_schedule())
+    assert len(made.schedules) == 4
+    assert {schedule.status for schedule in made.schedules} <= {"optimal", "feasible"}
 
 
 def test_weights_change_the_ranking() -> None:

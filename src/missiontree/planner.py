@@ -7,7 +7,7 @@ Each step is a function from frozen value to frozen value; what takes long is gi
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -49,6 +49,8 @@ from missiontree.mission.tree import MissionTree
 from missiontree.reporting.tree.view import tree_svg
 from missiontree.routines.ground import ground
 from missiontree.scheduling import SCHEDULERS
+from missiontree.scheduling.serial import few_leaves
+from missiontree.scheduling.writing import untried_schedule
 
 MAX_DRAWN = 200
 PLAIN_SCHEDULER = "greedy"
@@ -222,7 +224,7 @@ def plan_authored(request: Request, authored: Authored, control: Control) -> Pla
     choosing = request.front or request.brief.objective != "utility"
     ranking, schedules = staff_and_schedule(grounding, request, scene, work.part(RANKING_SHARE) if choosing else work)
     choice = NOTHING
-    if choosing and any(schedule.status in {"optimal", "feasible"} for schedule in schedules):
+    if choosing and _any_works(schedules):
         with_ = SCHEDULERS[request.scheduler]
         choice = choose(grounding.tree, request.brief, scene, with_, work, ranking, schedules, request.front)
     made = _told(request, authored, grounding, ranking, schedules, choice)
@@ -305,7 +307,8 @@ def staff_and_schedule(
 
     An alternative that is proven unschedulable stays in the list, with the reason in its schedule, and one more is drawn (one of
     another team, where teams are to differ); so ranks never depend on schedules. One that is not proven either way counts among the
-    k, but drawing goes on until some alternative has a schedule.
+    k, but drawing goes on until some alternative has a schedule. Once one has and time is up, no other is begun, unless that is a
+    matter of a few actions.
     """
     brief, tree, wanted = request.brief, grounding.tree, request.k
     schedule_with, allocate = SCHEDULERS[request.scheduler], allocator_for(request.allocator, brief.aim)
@@ -315,17 +318,24 @@ def staff_and_schedule(
         ranking = allocate(flat, brief.fleet, brief.weights, wanted, control.part(ALLOCATION_SHARE))
         for position, alternative in enumerate(ranking.alternatives):
             if alternative.choices not in done or done[alternative.choices].rank != alternative.rank:
+                if control.ended() and _any_works(done.values()) and not few_leaves(tree, alternative):
+                    done[alternative.choices] = untried_schedule(alternative)
+                    continue
                 left = len(ranking.alternatives) - position
                 done[alternative.choices] = schedule_with(
                     tree, alternative, brief.fleet, scene, control.part(1 / left), brief.terms
                 )
         schedules = tuple(done[alternative.choices] for alternative in ranking.alternatives)
         impossible = sum(schedule.status == "infeasible" for schedule in schedules)
-        scheduled = any(schedule.status in {"optimal", "feasible"} for schedule in schedules)
+        scheduled = _any_works(schedules)
         enough = (scheduled and len(schedules) - impossible >= request.k) or len(schedules) < wanted
         if enough or control.ended() or wanted >= max(MAX_DRAWN, request.k):
             return ranking, schedules
         wanted = request.k + impossible if scheduled else wanted * 2
+
+
+def _any_works(schedules: Iterable[Schedule]) -> bool:
+    return any(schedule.status in {"optimal", "feasible"} for schedule in schedules)
 
 
 def _told(
@@ -386,7 +396,7 @@ def _outcome(
     assert grounding is not None
     if ranking.status == "infeasible":
         return "cannot_be_done", _distinct([*ranking.reasons, *grounding.not_offered])
-    if any(schedule.status in {"optimal", "feasible"} for schedule in schedules):
+    if _any_works(schedules):
         return "delivered", ()
     unscheduled = [reason for schedule in schedules for reason in schedule.reasons]
     no_more = ranking.status == "exact" and ranking.certificate.bound is None

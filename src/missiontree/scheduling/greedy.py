@@ -10,6 +10,8 @@ kept. If its makespan equals a lower bound it is optimal. If not, and the missio
 
 from __future__ import annotations
 
+from functools import partial
+
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.control import Control, Progress
 from missiontree.mission.fleet import Fleet
@@ -44,12 +46,17 @@ from missiontree.scheduling.serial import Run
 from missiontree.scheduling.sharing import order_open_ended, sharing_of, too_crowded
 from missiontree.scheduling.staffing import staffing_conflicts, staffing_of
 from missiontree.scheduling.trips import Trips
-from missiontree.scheduling.writing import found_schedule, impossible_schedule, no_schedule, unknown_schedule
+from missiontree.scheduling.writing import (
+    TIME_IS_UP,
+    found_schedule,
+    impossible_schedule,
+    no_schedule,
+    unknown_schedule,
+)
 
 LEAVES_PER_CALL = 20_000  # work that retries may cost, in scheduled leaves
 MIN_RUNS, MAX_RUNS = 3, 40
 FEW_STEPS = 1_000  # of trying everything out
-_TIME_IS_UP = Reason(rule="time_limit", message="Time was up before a schedule was complete.")
 ROBOTS_PER_CALL = 1_500_000  # the same, in robots looked at for a role
 
 
@@ -68,7 +75,7 @@ def greedy(
     best, failures = best_of_runs(problem, alternative, control)
     proof = None
     if best is None or best.makespan > problem.bounds.makespan:
-        best, proof = tried_out(problem, best, horizon_of(problem), FEW_STEPS, control.ended)
+        best, proof = tried_out(problem, best, partial(horizon_of, problem), FEW_STEPS, control.ended)
     if best is not None:
         return found_schedule(problem, alternative, best, proof)
     if proof is not None:
@@ -177,7 +184,7 @@ def best_of_runs(
         limits = control if best is None or more is None else more
         draft = None if number and limits.ended() else run(limits.ended)
         if draft is None:
-            return best, [_TIME_IS_UP, *(late.reasons if late else ()), *failures]
+            return best, [TIME_IS_UP, *(late.reasons if late else ()), *failures]
         looked += run.looked
         if reasons := (
             draft.reasons or terms_broken(problem, draft.robot_of) or away(problem, draft) or apart(problem, draft)

@@ -13,7 +13,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from missiontree.estimation.travel import Blocked
-from missiontree.mission.grounded import Action
+from missiontree.mission.alternative import Alternative, selected_leaves
+from missiontree.mission.grounded import Action, GroundedTree
 from missiontree.scheduling.board import Board
 from missiontree.scheduling.casting import Casting
 from missiontree.scheduling.charging import charge
@@ -32,7 +33,13 @@ from missiontree.scheduling.trips import Trip
 from missiontree.scheduling.under_way import UnderWay
 from missiontree.scheduling.world_state import RobotState
 
-_SMALL = 32  # leaves of a mission that is scheduled once even if time is up
+SMALL = 32
+"""Leaves of a mission that is scheduled once even if time is up."""
+
+
+def few_leaves(tree: GroundedTree, alternative: Alternative) -> bool:
+    """Whether an alternative is so small that it is scheduled once even if time is up."""
+    return len(selected_leaves(tree, alternative.choices)) <= SMALL
 
 
 class Run:
@@ -66,7 +73,7 @@ class Run:
 
     def __call__(self, ended: Callable[[], bool]) -> Draft | None:
         """Run to the end; None if told to stop before, which a mission of a few leaves never is."""
-        small = len(self._graph.activity_of) <= _SMALL
+        small = len(self._graph.activity_of) <= SMALL
         try:
             self._open_bundles([bundle for bundle, count in enumerate(self._bundle_missing) if not count])
             self._settle([event for event, count in enumerate(self._board.missing) if not count])

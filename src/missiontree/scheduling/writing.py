@@ -53,6 +53,20 @@ def unknown_schedule(
     )
 
 
+def untried_schedule(alternative: Alternative) -> Schedule:
+    """The schedule of an alternative that nothing was tried for, since time was up and another has one."""
+    detail = "Nothing was tried for this alternative: time was up, and another has a schedule."
+    return Schedule(
+        rank=alternative.rank,
+        status="unknown",
+        certificate=Certificate(claim="unproven", method="serial_generation", detail=detail),
+        reasons=(TIME_IS_UP,),
+    )
+
+
+TIME_IS_UP = Reason(rule="time_limit", message="Time was up before a schedule was complete.")
+
+
 def by_bound(problem: Problem, draft: Draft) -> Certificate:
     """What the bounds alone prove of a draft."""
     bound = problem.bounds.makespan

@@ -175,6 +175,13 @@ def test_that_nothing_works_is_proven_by_trying_everything() -> None:
     assert result.reasons[0].rule == "no_schedule"
 
 
+def test_no_model_is_built_once_somebody_says_stop(monkeypatch: pytest.MonkeyPatch) -> None:
+    """For a large mission it takes a while, and nobody waits for what it might say."""
+    monkeypatch.setattr(improving, "Formulation", lambda *parts: pytest.fail("a model was built"))
+    made, kind, world = drained()
+    assert solved(made, kind, world=world, control=Control(stop=lambda: True)).status == "feasible"
+
+
 def test_nothing_is_solved_where_time_is_up_or_somebody_says_stop() -> None:
     """The greedy schedule is what is left, with its bound."""
     made, kind, world = drained()

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import pytest
+
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.scene import Scene
 from missiontree.mission.terms import NO_TERMS, Terms
-from missiontree.scheduling.enumeration.trying import Tried, Trying
+from missiontree.scheduling.enumeration.proving import tried_out
+from missiontree.scheduling.enumeration.trying import MOST_ACTIVITIES, Tried, Trying
 from missiontree.scheduling.greedy import read_problem
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.replay import replay
@@ -50,6 +53,17 @@ def test_nothing_beats_the_least() -> None:
     made, kind, world = far_and_near()
     found = tried(problem_of(made, kind, world=world), 11_999)
     assert (found.complete, found.course) == (True, None)
+
+
+def test_nobody_asks_how_long_it_may_take_where_there_is_too_much_to_try() -> None:
+    """The latest end is dear to tell in a large mission, and of use only to trying."""
+    made = mission([Part(f"p{n}", "r", [work(1)]) for n in range(MOST_ACTIVITIES + 1)])
+    problem = problem_of(made, robots("r"))
+
+    def horizon() -> int:
+        pytest.fail("it was asked")
+
+    assert tried_out(problem, None, horizon, 100, lambda: False) == (None, None)
 
 
 def test_too_many_steps_leave_it_open() -> None:

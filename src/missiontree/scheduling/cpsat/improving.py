@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.certificate import Certificate
@@ -121,7 +122,9 @@ class Improving:
         return self._best is not None and self._best.makespan == self._bound
 
     def _formulation(self) -> Formulation | None:
-        """The model; None if it cannot say all there is, or is too large."""
+        """The model; None if it cannot say all there is, or is too large, or nobody waits for what it might say."""
+        if self._control.ended():
+            return None
         try:
             begun = self._control.clock()
             formulation = Formulation(self._problem, self._horizon(), self._over)
@@ -139,7 +142,11 @@ class Improving:
     # --- solving ----------------------------------------------------------------------------------------------------
 
     def _horizon(self) -> int:
-        return self._best.makespan if self._best is not None else horizon_of(self._problem)
+        return self._best.makespan if self._best is not None else self._latest
+
+    @cached_property
+    def _latest(self) -> int:
+        return horizon_of(self._problem)
 
     def _left_s(self) -> float:
         control = self._control
@@ -173,6 +180,8 @@ class Improving:
     def _tidy(self, formulation: Formulation) -> None:
         """With the makespan kept, as little travel as possible, and then every end as early as possible."""
         assert self._best is not None
+        if self._control.ended():
+            return
         if formulation.minimise_travel(self._best.makespan):
             hint(formulation, self._best)
             self._take(formulation, self._search(formulation.model, 0.6))
@@ -200,7 +209,7 @@ class Improving:
     def _tried(self, most_steps: int) -> Certificate | None:
         """The certificate of having tried everything that could be better; None if that is too much."""
         before = self._best
-        self._best, proof = tried_out(self._problem, before, self._horizon(), most_steps, self._over)
+        self._best, proof = tried_out(self._problem, before, self._horizon, most_steps, self._over)
         if self._best is not None and self._best is not before:
             self._say(self._best)
         return proof

@@ -6,13 +6,13 @@ from collections.abc import Callable
 
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.ticks import seconds
-from missiontree.scheduling.enumeration.trying import Trying
+from missiontree.scheduling.enumeration.trying import Trying, too_many
 from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.replay import replay
 
 
 def tried_out(
-    problem: Problem, best: Draft | None, horizon: int, most_steps: int, ended: Callable[[], bool]
+    problem: Problem, best: Draft | None, horizon: Callable[[], int], most_steps: int, ended: Callable[[], bool]
 ) -> tuple[Draft | None, Certificate | None]:
     """
     The best draft after everything that could be better was tried, and the proof of it.
@@ -27,7 +27,8 @@ def tried_out(
     best
         The draft so far; None if there is none.
     horizon
-        Ticks by which every schedule of interest is over; of a draft, only what is shorter is of interest.
+        Asked, if there is no draft, for the ticks by which every schedule of interest is over; of a draft, only what is shorter is
+        of interest.
     most_steps
         Steps after which to give up. The same steps are taken every time.
     ended
@@ -37,7 +38,9 @@ def tried_out(
     -------
     The draft, and None in place of the proof if that was given up. Without a draft, the proof is that there is no schedule.
     """
-    limit = horizon if best is None else best.makespan - 1
+    if too_many(problem):
+        return best, None
+    limit = horizon() if best is None else best.makespan - 1
     tried = Trying(problem, limit, most_steps, ended)()
     if tried.course is not None:
         draft = replay(problem, tried.course)

@@ -55,6 +55,14 @@ class Tried:
     steps: int
 
 
+def too_many(problem: Problem) -> bool:
+    """Whether there is so much that nothing is tried."""
+    number = 1
+    for ends in problem.graph.until.values():
+        number *= max(1, len(ends))
+    return number > MOST_CHOICES or len(problem.graph.activities) > MOST_ACTIVITIES
+
+
 class _EnoughError(Exception):
     """The steps are used up, or somebody asks to stop."""
 
@@ -114,11 +122,7 @@ class Trying:
         """Try."""
         opened = sorted(self._graph.until)
         ways = [sorted(self._graph.until[one]) for one in opened]
-        number = 1
-        for way in ways:
-            number *= max(1, len(way))
-        too_many = number > MOST_CHOICES or len(self._actions) > MOST_ACTIVITIES
-        if too_many or self._out_of_turn() or may_wait_at_chargers(self._problem):
+        if too_many(self._problem) or self._out_of_turn() or may_wait_at_chargers(self._problem):
             return Tried(False, None, 0)
         try:
             for chosen in product(*(way or [-1] for way in ways)):
