@@ -16,6 +16,7 @@ from missiontree.errors import InputError, InternalError
 from missiontree.formats.importers.coalitions import coalitions_of, looks_like_coalitions
 from missiontree.formats.importers.fjsp import looks_like_shop, shop_of
 from missiontree.formats.importers.instance_plan import plan_of_coalitions, plan_of_tree
+from missiontree.formats.importers.instance_schedule import schedule_of
 from missiontree.formats.importers.tree_json import columns_of, looks_like_tree
 from missiontree.formats.reader import parse
 from missiontree.formats.source import load_text
@@ -95,14 +96,36 @@ def schedule_instance(
         Of the time that is left for CP-SAT, from 0 to 1, what goes into raising the bound. Default 0.
     """
     limits = control or Control()
-    faults: tuple[Fault, ...]
     schedule: TreeSchedule | CoalitionSchedule
     if isinstance(instance, CoalitionMission):
         schedule = schedule_coalitions(instance, limits)
-        faults = check_coalitions(instance, schedule)
     else:
         schedule = schedule_tree(instance, limits, solver=solver, bound_share=bound_share)
-        faults = check_tree(instance, schedule)
-    if faults:
+    if faults := check_schedule(instance, schedule):
         raise InternalError(f"the checker refuses a schedule of our own making: {faults[0].message}")
     return schedule
+
+
+def read_schedule(file: Path, instance: Instance) -> TreeSchedule | CoalitionSchedule:
+    """
+    Read a schedule as ``missiontree schedule --json`` prints it, from wherever it comes.
+
+    Raises
+    ------
+    InputError
+        If the file is no such schedule of this instance; says where, what was found and what is accepted.
+    """
+    return schedule_of(parse(load_text(file), str(file)), instance)
+
+
+def check_schedule(instance: Instance, schedule: TreeSchedule | CoalitionSchedule) -> tuple[Fault, ...]:
+    """
+    Every fault of a schedule, by a checker that shares nothing with what makes schedules; none if it is sound.
+
+    Choices, who does what when, ways, order, makespan, and that it claims no more than its certificate carries. Bounds are taken on trust.
+    """
+    if isinstance(instance, CoalitionMission):
+        assert isinstance(schedule, CoalitionSchedule)
+        return check_coalitions(instance, schedule)
+    assert isinstance(schedule, TreeSchedule)
+    return check_tree(instance, schedule)

@@ -54,12 +54,25 @@ class Told(NamedTuple):
 
 
 class Deed(NamedTuple):
-    """Something that a robot does."""
+    """
+    Something that a robot does.
+
+    Parameters
+    ----------
+    start_s, end_s, robot, what
+        When, who and what, for people.
+    node
+        Leaf of a tree, or task from 0; None where a robot gets to the end.
+    number
+        Which robot it is, from 0: of a tree among the equal ones that the leaf names.
+    """
 
     start_s: float
     end_s: float
     robot: str
     what: str
+    node: int | None
+    number: int
 
 
 def view_of(told: Told) -> Group:
@@ -111,17 +124,27 @@ def deeds_of(told: Told) -> list[Deed]:
     if isinstance(instance, CoalitionMission):
         assert isinstance(schedule, CoalitionSchedule)
         deeds = [
-            Deed(visit.start_s, visit.end_s, f"robot-{robot}", f"Task {visit.task + 1}")
+            Deed(visit.start_s, visit.end_s, f"robot-{robot}", f"Task {visit.task + 1}", visit.task, robot)
             for visit in schedule.visits
             for robot in visit.robots
         ]
-        deeds += [Deed(at, at, f"robot-{robot}", "At the end") for robot, at in enumerate(schedule.arrivals_s)]
-        return sorted(deeds)
+        deeds += [
+            Deed(at, at, f"robot-{robot}", "At the end", None, robot) for robot, at in enumerate(schedule.arrivals_s)
+        ]
+        return sorted(deeds, key=lambda deed: deed[:4])
     assert isinstance(schedule, TreeSchedule)
-    return sorted(
-        Deed(start, start + instance.duration[leaf], _robot(instance, schedule, leaf), instance.label(leaf))
+    deeds = [
+        Deed(
+            start,
+            start + instance.duration[leaf],
+            _robot(instance, schedule, leaf),
+            instance.label(leaf),
+            leaf,
+            schedule.robot[leaf],
+        )
         for leaf, start in schedule.start_s.items()
-    )
+    ]
+    return sorted(deeds, key=lambda deed: deed[:4])
 
 
 def _robot(columns: TreeColumns, schedule: TreeSchedule, leaf: int) -> str:
