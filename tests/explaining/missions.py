@@ -56,7 +56,6 @@ def mission(
         text="Mission",
         fleet=read_text(fleet, "fleet"),
         scene=read_text(scene, "scene"),
-        routines=built_in(),
-        **terms,
+        **{"routines": built_in(), **terms},
     )
     return Request(brief=brief, tree=tree)

@@ -14,9 +14,11 @@ from missiontree.errors import InputError
 from missiontree.explaining.changes.families import applied
 from missiontree.explaining.explain import Explained, explain, explain_authored, explained, request_of
 from missiontree.explaining.nearest import nearest_part
+from missiontree.formats.document import read_text
 from missiontree.mission.control import Control
 from missiontree.mission.costs import Costs, Price
 from missiontree.mission.explanation import Shortfall
+from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.tree import Link, MissionNode
 from missiontree.planner import plan_authored
 from tests.explaining.missions import CARRY, FIND, FLEET, ROADS, SCENE, mission
@@ -149,6 +151,38 @@ def test_links_that_no_robot_can_keep_are_given_up() -> None:
     assert lacking == {("rover", "n0", "carry"), ("arm", "n1", "search")}  # each part has somebody, and nobody both
     assert words_of(known)[0].startswith("Give up that one robot does both")
     assert any(repair.changes[0].kind == "add_capability" for repair in known.told.repairs)
+
+
+def test_joint_work_kept_for_one_type_is_opened_to_all_where_no_single_type_is_enough() -> None:
+    """A beam takes two to carry. The arms may not, for it is kept for the drone; of arms and rovers there is one each."""
+    both = FLEET.replace("search: 0.8, reach: 0.8", "lift: 0.9").replace("carry: 1.0", "lift: 1.0")
+    drone = "  - {id: drone, count: 1, capabilities: {fly: 1.0}, limits: {max_speed_mps: 2}, place: dock}\n"
+    heavy = ("LiftTogether", {"agent": "crate"})
+    known = told_of(mission(heavy, fleet=both + drone, resources=("drone",), routines=lifting()))
+    assert words_of(known)[0] == 'Allow any robot type for "LiftTogether(crate)".'
+    two_arms = both.replace("id: arm, label: Arm, count: 1", "id: arm, label: Arm, count: 2")
+    words = words_of(told_of(mission(heavy, fleet=two_arms + drone, resources=("drone",), routines=lifting())))
+    assert 'Allow Arm for "LiftTogether(crate)".' in words
+    assert not any("any robot type" in one for one in words)
+
+
+def lifting() -> RoutineLibrary:
+    """One routine: two robots that can lift do it together."""
+    file = read_text(
+        """
+routines:
+  - id: LiftTogether
+    purpose: Lift {agent}.
+    arguments: [{name: agent, kinds: [object]}]
+    branches:
+      - name: lift
+        roles:
+          - {name: left, rating: lift, actions: [{name: up, text: "Lift {agent}", at: agent, duration_s: 5, sync: up}]}
+          - {name: right, rating: lift, actions: [{name: up, text: "Lift {agent}", at: agent, duration_s: 5, sync: up}]}
+""",
+        "routines",
+    )
+    return RoutineLibrary(routines=file.routines)
 
 
 def test_a_mission_that_can_be_done_has_no_causes() -> None:

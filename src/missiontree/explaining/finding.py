@@ -110,6 +110,8 @@ class Finder:
             least = self.cost([change])
             if len(found) >= most and least >= sorted(one.cost for one in found)[most - 1]:
                 break
+            if any(_wider(change, one.changes[0]) for one in found):
+                continue
             spared = change.kind in hopeless or self._pointless(change)
             answer = NO if spared else self.ask([change])
             if answer.possible is None or (sized(change) and answer.possible is False and not self._only_more(answer)):
@@ -219,3 +221,8 @@ def order_of(answer: Answer) -> frozenset[tuple[str | None, str | None, str]]:
         return frozenset()
     tree = answer.grounding.tree
     return frozenset((tree.nodes[link.first].source, tree.nodes[link.second].source, link.kind) for link in tree.links)
+
+
+def _wider(change: Change, found: Change) -> bool:
+    """Whether a change lets any robot type do a routine for which it is enough to let a certain one."""
+    return change.kind == "allow_type" == found.kind and change.target == found.target and not change.name

@@ -46,8 +46,8 @@ class Change(Value):
     ----------
     kind
         ``take_off_without``, ``take_off_require``: a name off a list of the mission. ``end_anywhere``: robots need not return.
-        ``lower_min_quality``: the least quality asked for. ``allow_type``: a robot type for one routine. ``ignore_kinds``: kinds of
-        arguments are not enforced. ``drop_link``: a link of the tree. ``open_way``: a road or a lift. ``clear_cells``: closed cells of
+        ``lower_min_quality``: the least quality asked for. ``allow_type``: a robot type, or any, for one routine. ``ignore_kinds``: kinds
+        of arguments are not enforced. ``drop_link``: a link of the tree. ``open_way``: a road or a lift. ``clear_cells``: closed cells of
         the grid. ``lift_keep_out``: an area that robots do not enter. ``allow_zone``: a zone for a robot type. ``extend_deadline``,
         ``move_release``: times of a node, or of the mission. ``extend_stay``, ``come_earlier``: times of a robot or a robot type.
         ``raise_in_use``: how many robots of a type may take part. ``raise_capacity``: how many robots a shared resource has room for.

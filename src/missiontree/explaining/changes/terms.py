@@ -26,9 +26,12 @@ def candidates(case: Case, needs: Needs) -> Iterator[Change]:
     elif brief.min_quality:
         yield Change(kind="lower_min_quality", was=brief.min_quality)
     for node in case.tree.nodes:
-        for kind in brief.fleet.types if node.resources is not None else ():
-            if kind.id not in (node.resources or ()):
-                yield Change(kind="allow_type", target=node.id, name=kind.id)
+        allowed = node.resources
+        out = [kind.id for kind in brief.fleet.types if allowed is not None and kind.id not in allowed]
+        for type_id in out:
+            yield Change(kind="allow_type", target=node.id, name=type_id)
+        if len(out) > 1:  # joint work may need several of them
+            yield Change(kind="allow_type", target=node.id)
     if brief.check_kinds:
         yield Change(kind="ignore_kinds")
     for link in dict.fromkeys(case.tree.links):
@@ -81,14 +84,15 @@ def lower_min_quality_words(case: Case, change: Change) -> str:
 
 
 def allow_type(case: Case, change: Change) -> Case:
-    """A type may do a routine."""
+    """A type may do a routine, or any."""
     allowed = case.tree.by_id[change.target].resources or ()
-    return with_node(case, change.target, resources=(*allowed, change.name))
+    return with_node(case, change.target, resources=(*allowed, change.name) if change.name else None)
 
 
 def allow_type_words(case: Case, change: Change) -> str:
     """As an order."""
-    return f'allow {_label(case, change.name)} for "{case.tree.by_id[change.target].label}"'
+    whom = _label(case, change.name) if change.name else "any robot type"
+    return f'allow {whom} for "{case.tree.by_id[change.target].label}"'
 
 
 def ignore_kinds(case: Case, change: Change) -> Case:
