@@ -2,7 +2,7 @@
 
 import pytest
 
-from missiontree.estimation.travel import Blocked, Leg, TravelModel, speed_of, start_of, travel_time_s
+from missiontree.estimation.travel import Blocked, Leg, TravelModel, speed_of, start_of, travel_model, travel_time_s
 from missiontree.mission.area import Area, KeepOut, Zone
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Robot, RobotType
@@ -107,3 +107,10 @@ def test_where_robots_start() -> None:
     assert start_of(Robot(id="r", place="bay"), scene) == Position(1, 2)
     assert start_of(Robot(id="r", place="nowhere"), scene) is None
     assert start_of(Robot(id="r"), scene) is None
+
+
+def test_ways_are_kept_with_their_scene() -> None:
+    scene = Scene(grid=OccupancyGrid(cell_m=1.0, rows=("....",)))
+    assert travel_model(scene) is travel_model(scene)
+    assert travel_model(Scene()) is not travel_model(Scene())
+    assert scene == Scene(grid=scene.grid), "what is kept with a scene is no part of its value"

@@ -74,3 +74,12 @@ def test_a_road_between_floors_needs_a_lift() -> None:
 def test_a_grid_is_a_rectangle_of_dots_and_hashes(rows: tuple[str, ...], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         OccupancyGrid(rows=rows, cell_m=1.0)
+
+
+def test_a_scene_with_more_entities_is_made_once() -> None:
+    scene, child, dog = Scene(), Entity(id="child", kind="person"), Entity(id="dog", kind="animal")
+    larger = scene.extended((child,))
+    assert scene.extended((child,)) is larger
+    assert scene.extended((dog,)).entities == (dog,)
+    assert scene.extended((child,)).entities == (child,)
+    assert scene.extended(()) is scene

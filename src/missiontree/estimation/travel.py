@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from threading import Lock
 from typing import Protocol
 
 from missiontree.estimation.access import Access, access_of
@@ -15,7 +16,7 @@ from missiontree.mission.fleet import Robot, RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
 
-__all__ = ["Blocked", "Leg", "TravelModel", "Ways", "speed_of", "start_of", "travel_time_s"]
+__all__ = ["Blocked", "Leg", "TravelModel", "Ways", "speed_of", "start_of", "travel_model", "travel_time_s"]
 
 
 class Ways(Protocol):
@@ -52,6 +53,9 @@ class TravelModel:
 
     def __init__(self, scene: Scene) -> None:
         self._scene = scene
+        self._lock = (
+            Lock()
+        )  # scenes are shared by threads, and a way is searched for from where the last search stopped
         self._accesses: dict[tuple[str, tuple[str, ...] | None], Access] = {}
         self._ways: dict[Access, Ways] = {}
         self._legs: dict[tuple[Ways, float, Position, Position], Leg | Blocked] = {}
@@ -76,12 +80,13 @@ class TravelModel:
         start, goal = self._scene.in_map(origin), self._scene.in_map(destination)
         if start == goal:
             return STAY
-        ways = self._ways_of(robot_type)
         speed = (speed_mps or speed_of(robot_type) or 1.0) if self._has_lifts else 1.0
-        key = (ways, speed, start, goal)
-        found = self._legs.get(key)
-        if found is None:
-            found = self._legs[key] = ways.leg(start, goal, speed)
+        with self._lock:
+            ways = self._ways_of(robot_type)
+            key = (ways, speed, start, goal)
+            found = self._legs.get(key)
+            if found is None:
+                found = self._legs[key] = ways.leg(start, goal, speed)
         return found if isinstance(found, Leg) else for_robot(found, robot_type.id)
 
     def _ways_of(self, robot_type: RobotType) -> Ways:
@@ -93,6 +98,12 @@ class TravelModel:
         if ways is None:
             ways = self._ways[access] = _ways(self._scene, access)
         return ways
+
+
+def travel_model(scene: Scene) -> TravelModel:
+    """The ways of a scene, kept with it: whoever asks for the same scene again need not search for them anew."""
+    model: TravelModel = scene.derived.setdefault("travel", TravelModel(scene))
+    return model
 
 
 def _ways(scene: Scene, access: Access) -> Ways:

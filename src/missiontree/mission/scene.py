@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import combinations, pairwise
-from typing import Literal
+from typing import Any, Literal, cast
 
 from missiontree.mission.area import KeepOut, Zone
 from missiontree.mission.charger import Charger
@@ -173,6 +173,11 @@ class Scene(Value):
                     )
 
     @cached_property
+    def derived(self) -> dict[str, Any]:
+        """What others worked out from this scene and keep with it, by a name of theirs; no part of the value."""
+        return {}
+
+    @cached_property
     def all_entities(self) -> tuple[Entity, ...]:
         """Places, then entities."""
         return (*self.places, *self.entities)
@@ -227,8 +232,14 @@ class Scene(Value):
         return places | {node.id: self.in_map(node.position) for node in nodes}
 
     def extended(self, entities: tuple[Entity, ...]) -> Scene:
-        """The scene with more entities: those that the operator declares or the author introduces."""
-        return replace(self, entities=(*self.entities, *entities)) if entities else self
+        """The scene with more entities: those that the operator declares or the author introduces; the last such is kept."""
+        if not entities:
+            return self
+        known, larger = self.derived.get("extended", ((), self))
+        if known != entities:
+            larger = replace(self, entities=(*self.entities, *entities))
+            self.derived["extended"] = entities, larger
+        return cast("Scene", larger)
 
     def lineage(self, kind: str) -> Iterator[str]:
         """The kind, then what it stands under, up to a base kind."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from missiontree.estimation.travel import Blocked, Leg, TravelModel, speed_of, start_of, travel_time_s
+from missiontree.estimation.travel import Blocked, Leg, speed_of, start_of, travel_model, travel_time_s
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
@@ -62,7 +62,7 @@ class Itineraries:
 
     def __init__(self, scene: Scene) -> None:
         self._scene = scene
-        self._model = TravelModel(scene)
+        self._model = travel_model(scene)
         self._starts: dict[str, tuple[Starts, bool]] = {}
 
     def walk(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from missiontree.estimation.travel import Blocked, TravelModel, speed_of, start_of, travel_time_s
+from missiontree.estimation.travel import Blocked, speed_of, start_of, travel_model, travel_time_s
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import Action
 from missiontree.mission.position import Position
@@ -65,8 +65,9 @@ class Trips:
     def __init__(self, fleet: Fleet, scene: Scene) -> None:
         self.fleet = fleet
         self.scene = scene
-        self._model = TravelModel(scene)
+        self._model = travel_model(scene)
         self._starts: dict[str, tuple[Spot, ...]] = {}
+        self._spots: dict[str, Spot] = {}
         self._trips: dict[tuple[str, Spot, Spot, tuple[str, ...], float | None], Trip | Blocked] = {}
 
     def trip(self, action: Action, origin: Spot, destination: Spot) -> Trip | Blocked:
@@ -101,8 +102,10 @@ class Trips:
 
     def spot(self, entity: str) -> Spot:
         """Where an entity is at the start of the mission, as planning takes it."""
-        found = self.scene.by_id.get(entity)
-        return None if found is None else self.scene.whereabouts(found).position
+        if entity not in self._spots:
+            found = self.scene.by_id.get(entity)
+            self._spots[entity] = None if found is None else self.scene.whereabouts(found).position
+        return self._spots[entity]
 
     def _find(
         self, type_id: str, origin: Spot, destination: Spot, brings: Iterable[str], nominal_s: float | None
