@@ -5,6 +5,7 @@ from __future__ import annotations
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.scene import Scene
 from missiontree.scheduling.bounds import Bounds, lower_bounds
+from missiontree.scheduling.chargers import NO_CHARGERS, Chargers, Station
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import task_graph
 from missiontree.scheduling.staffing import staffing_of
@@ -12,13 +13,16 @@ from missiontree.scheduling.trips import Trips
 from tests.scheduling.instances import Instance, Part, at, mission, move, robots, scene, work
 
 
-def bounds_of(made: Instance, *types: RobotType, world: Scene | None = None) -> Bounds:
+def bounds_of(
+    made: Instance, *types: RobotType, world: Scene | None = None, chargers: Chargers = NO_CHARGERS
+) -> Bounds:
     graph = task_graph(made.tree, made.alternative.choices)
     order = graph.order()
     assert order is not None
     fleet = Fleet(types)
     trips = Trips(fleet, world or Scene())
-    return lower_bounds(graph, order, staffing_of(graph), Places(graph, order, trips), fleet, trips)
+    places = Places(graph, order, trips)
+    return lower_bounds(graph, order, staffing_of(graph), places, fleet, trips, chargers=chargers)
 
 
 def test_the_longest_chain_bounds() -> None:
@@ -87,6 +91,31 @@ def test_a_move_into_a_role_is_no_longer_than_the_joint_move_that_it_is() -> Non
     kinds = robots("x", speed=1, position=at(0)), robots("y", speed=1, position=at(0))
     # b: 10 m to q, 1 s, 5 m back to p = 16 s; a's own way of 5 s lies within the last 5 s
     assert bounds_of(made, *kinds, world=scene(p=5, q=10)).makespan == 16_000
+
+
+def test_the_way_of_a_role_that_begins_anywhere_counts_from_where_its_robot_can_be() -> None:
+    """
+    b waits for a (5 s), takes 2 s wherever its robot is, and then works at p, 10 m off, 1 s: nothing else takes its robot anywhere, so
+    5 + 2 + 10 + 1 = 18 s. If another role of the type ends at p, or a charger stands there, b's robot may be there when b begins: then
+    only the way from the start counts, 2 s of standing still, 10 + 1 = 13 s.
+    """
+    a, b = Part("a", "x", [work(5)]), Part("b", "r", [work(2), work(1, at="p")])
+    kinds, world = (robots("x"), robots("r", speed=1, position=at(0))), scene(p=10)
+    bounds = bounds_of(mission([a, b], [("a", "b")]), *kinds, world=world)
+    assert (bounds.makespan, bounds.method) == (18_000, "critical_path")
+    c = Part("c", "r", [work(1, at="p")])
+    assert bounds_of(mission([a, b, c], [("a", "b")]), *kinds, world=world).makespan == 13_000
+    station = Chargers({"r": (Station("dock", at(10), "energy_j", 1.0, 1),)})
+    assert bounds_of(mission([a, b], [("a", "b")]), *kinds, world=world, chargers=station).makespan == 13_000
+
+
+def test_a_move_that_begins_a_role_takes_the_way_from_where_its_robot_can_be() -> None:
+    """b waits for a (5 s) and goes 10 m to q: 15 s. Where c, of the same type, ends at q, b's robot may be there: 10 s, c's own way."""
+    a, b = Part("a", "x", [work(5)]), Part("b", "r", [move("q")])
+    kinds, world = (robots("x"), robots("r", speed=1, position=at(0))), scene(q=10)
+    assert bounds_of(mission([a, b], [("a", "b")]), *kinds, world=world).makespan == 15_000
+    c = Part("c", "r", [move("q")])
+    assert bounds_of(mission([a, b, c], [("a", "b")]), *kinds, world=world).makespan == 10_000
 
 
 def _robot(name: str, x_m: float) -> Robot:

@@ -26,6 +26,7 @@ from missiontree.scheduling.load import holding_bound, load_bound, pieces_of
 from missiontree.scheduling.places import Places, Spots
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.refilling import refill_bound
+from missiontree.scheduling.role_spots import first_spots
 from missiontree.scheduling.sharing import NOTHING_SHARED, Sharing
 from missiontree.scheduling.staffing import Staffing
 from missiontree.scheduling.trips import Spot, Trips
@@ -107,9 +108,14 @@ def lower_bounds(
     chargers
         Where robots refill, and may be beside. Default: nowhere.
     """
-    travel = _Travel(graph, staffing, places, fleet, trips)
+    travel = _Travel(graph, staffing, places, trips, chargers)
     duration = [_least_duration(graph, activity, travel) for activity in range(len(graph.activities))]
-    lag = {leaf: travel.before(leaf) for leaf in travel.previous if not graph.tree.action(leaf).moves}
+    lag = {
+        leaf: travel.before(leaf)
+        for leaves in graph.roles.values()
+        for leaf in leaves[1:]
+        if not graph.tree.action(leaf).moves
+    }
     release = _releases(graph, travel, duration, fleet)
     homes = travel.homes(staffing) if returning else {}
     heads, tails = _longest_paths(graph, order, duration, lag, release, homes)
@@ -135,22 +141,19 @@ def lower_bounds(
 class _Travel:
     """Least travel to each action."""
 
-    def __init__(self, graph: TaskGraph, staffing: Staffing, places: Places, fleet: Fleet, trips: Trips) -> None:
+    def __init__(self, graph: TaskGraph, staffing: Staffing, places: Places, trips: Trips, chargers: Chargers) -> None:
         self._graph, self._places, self._trips = graph, places, trips
-        self.previous: dict[
-            int, Spots | None
-        ] = {}  # where the robot is before a leaf that is not its role's first; None: anywhere
+        begins = first_spots(graph, staffing, places, trips, chargers)
+        self.previous: dict[int, Spots | None] = {}  # where the robot is before a leaf; None: anywhere
         visited: dict[str, set[Spot]] = {}
         for role, leaves in graph.roles.items():
             spots = visited.setdefault(staffing.type_of[role], set())
-            here: Spots | None = None
-            for index, leaf in enumerate(leaves):
+            here: Spots | None = begins.get(role)
+            for leaf in leaves:
                 action, there = graph.tree.action(leaf), places.of[leaf]
-                if index:
-                    self.previous[leaf] = here
+                self.previous[leaf] = here
                 if action.moves or action.at is not None:
                     here = there
-                if action.at is not None or action.moves:
                     spots |= there
         self._starts = {kind: set(trips.starts(kind)) for kind in visited}
         self._visited = visited

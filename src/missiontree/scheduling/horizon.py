@@ -28,7 +28,10 @@ def horizon_of(problem: Problem) -> int:
     total = len(graph.until) + max(graph.release.values(), default=0)
     total += max((presence(kind, robot)[0] for kind in problem.fleet.types for robot in kind.members), default=0)
     for leaves in graph.activities:
-        total += max(_way(problem, leaf, spots) for leaf in leaves)
+        # Of joint actions one may be a move, which takes its way after the way to another has been gone.
+        for moves in (True, False):
+            ways = (_way(problem, leaf, spots) for leaf in leaves if graph.tree.action(leaf).moves == moves)
+            total += max(ways, default=0)
         total += max(ticks(graph.tree.action(leaf).duration_s) for leaf in leaves)
     if problem.returning:
         total += max((_way_home(problem, type_id, reached) for type_id, reached in spots.items()), default=0)

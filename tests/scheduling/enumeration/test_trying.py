@@ -7,12 +7,14 @@ import pytest
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.scene import Scene
 from missiontree.mission.terms import NO_TERMS, Terms
+from missiontree.scheduling.enumeration.approaches import Approaches
 from missiontree.scheduling.enumeration.proving import tried_out
 from missiontree.scheduling.enumeration.trying import MOST_ACTIVITIES, Tried, Trying
 from missiontree.scheduling.greedy import read_problem
+from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.replay import replay
-from tests.scheduling.instances import Instance, Part, at, mission, robots, scene, work
+from tests.scheduling.instances import Instance, Part, at, mission, move, robots, scene, work
 
 
 def problem_of(instance: Instance, *types: RobotType, world: Scene | None = None, terms: Terms = NO_TERMS) -> Problem:
@@ -95,3 +97,49 @@ def test_all_ways_of_being_under_way_are_tried() -> None:
     made = mission(parts, [("a", "c", "until"), ("a", "d", "until")])
     problem = problem_of(made, robots("r"), robots("s"), robots("t"))
     assert makespan(problem, tried(problem, 20_000)) == 5_001
+
+
+def test_what_must_be_under_way_at_the_end_may_begin_before_what_is_put_down() -> None:
+    """a works 5 s, then follows until c (6 s) has ended: c starts at 0, though it is put down after the following, and ends at 6."""
+    parts = [Part("a", "r", [work(5), work(9, open_ended=True)]), Part("c", "s", [work(6)])]
+    problem = problem_of(mission(parts, [("a", "c", "until")]), robots("r"), robots("s"))
+    found = tried(problem, 6_000)
+    assert (found.complete, makespan(problem, found)) == (True, 6_000)
+
+
+def test_roles_that_have_nothing_to_do_with_each_other_are_put_down_in_one_order() -> None:
+    """
+    Beside the two roles of :func:`far_and_near`, of which no order takes less than 12 s, four robots of other types do three things each:
+    12! / 3!^4 orders of these alone, and it matters in none which comes first.
+    """
+    others = [Part(name, name, [work(1), work(2), work(3)]) for name in "uvwx"]
+    two = [Part("p", "r", [work(1, at="p")]), Part("q", "r", [work(1, at="q")])]
+    kinds = [robots(name) for name in "uvwx"]
+    problem = problem_of(mission([*two, *others]), robots("r", speed=1, position=at(0)), *kinds, world=scene(p=4, q=-3))
+    found = tried(problem, 11_999)
+    assert (found.complete, found.course) == (True, None)
+    assert found.steps <= 60
+
+
+def test_the_ways_into_what_is_left_count_from_where_robots_are() -> None:
+    """
+    Work at 4, at -3 and at 20 (5 s, 1 s and 1 s), 1 m/s from 0. Ways into all from the start and from each other are 3, 4 and 16 s at
+    least, which with 7 s of work comes to 30 s; the best order is -3, 4, 20 with 3 + 7 + 16 s on the way: 33 s. Whichever comes
+    first, the ways into the other two then show that 33 s cannot be beaten: four steps, the empty schedule and three with one role.
+    """
+    parts = [Part("p", "r", [work(5, at="p")]), Part("q", "r", [work(1, at="q")]), Part("s", "r", [work(1, at="s")])]
+    problem = problem_of(mission(parts), robots("r", speed=1, position=at(0)), world=scene(p=4, q=-3, s=20))
+    ways = Approaches(problem, "r", [0, 1, 2])
+    assert ways.least([0, 1, 2], [(-1, at(0))]) == ([0, 0, 0], [4_000, 3_000, 16_000])
+    assert ways.least([0, 1], [(2, at(0))]) == ([0, 0], [7_000, 7_000])  # held by the role at 20, which ends there
+    found = tried(problem, 33_000)
+    assert (found.complete, makespan(problem, found)) == (True, 33_000)
+    assert tried(problem, 32_999) == Tried(complete=True, course=None, steps=4)
+
+
+def test_a_joint_move_may_follow_the_way_to_where_the_other_works() -> None:
+    """From 6, at 2 m/s: to the box at 2 in 2 s; then, with b at work there for 1 s, a moves to 3 in 1.5 s: 3.5 s in all."""
+    made = mission([Part("a", "r", [move("q", sync=0)], team=0), Part("b", "r", [work(1, at="box", sync=0)], team=0)])
+    problem = problem_of(made, robots("r", 2, speed=2, position=at(6)), world=scene(q=3, box=2))
+    assert horizon_of(problem) >= 3_500
+    assert makespan(problem, tried(problem, horizon_of(problem))) == 3_500

@@ -7,6 +7,8 @@ in which a later choice starts earlier. That loses nothing. Of the best schedule
 activities down in order of their starts (one that must wait for an open-ended action to have begun, after that action): each comes to
 stand where it stood, or the sum was not the least. Shared resources change nothing of this: what starts a little earlier takes room there
 only before the starts of all that is put down later. What takes no time is an exception at the same tick; it may be put down first.
+Nor does it lose anything to put down in one order what starts at once and has nothing to do with each other: of all orders in which the
+best schedule can be put down, take the one whose numbers of activities come first.
 
 What robots can refill is taken to last for ever: what is found may have to be made longer by visits to chargers, and what is not found
 is not there. Where robots may refill while they wait, nothing is tried.
@@ -14,13 +16,17 @@ is not there. Where robots may refill while they wait, nothing is tried.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
+from typing import NamedTuple
 
 from missiontree.estimation.travel import Blocked
 from missiontree.mission.ticks import ticks, ticks_within
+from missiontree.scheduling.bounds import NEVER
 from missiontree.scheduling.course import Course
+from missiontree.scheduling.enumeration.load import Load
+from missiontree.scheduling.enumeration.relations import Relations
 from missiontree.scheduling.enumeration.state import State
 from missiontree.scheduling.impossible import TOLERANCE
 from missiontree.scheduling.precedence import indegrees
@@ -61,6 +67,16 @@ def too_many(problem: Problem) -> bool:
     for ends in problem.graph.until.values():
         number *= max(1, len(ends))
     return number > MOST_CHOICES or len(problem.graph.activities) > MOST_ACTIVITIES
+
+
+class _Option(NamedTuple):
+    """A way of putting down an activity: robots by role, the key (see :class:`State`), start and length, and trips by leaf."""
+
+    robots: dict[int, int]
+    key: int
+    start: int
+    length: int
+    trips: dict[int, Trip | None]
 
 
 class _EnoughError(Exception):
@@ -113,6 +129,11 @@ class Trying:
         self._first = {role: self._graph.activity_of[leaves[0]] for role, leaves in self._graph.roles.items()}
         self._last = {role: leaves[-1] for role, leaves in self._graph.roles.items()}
         self._takers = problem.hand_overs.taker
+        self._relations = Relations(self._graph)
+        self._roles_of: dict[str, list[int]] = {}
+        for role in self._graph.roles:
+            self._roles_of.setdefault(self._staffing.type_of[role], []).append(role)
+        self._load = Load(problem, self._of_kind, self._until)
         self._steps = 0
         self._best: Course | None = None
         self._under_way: dict[int, int] = {}
@@ -196,15 +217,78 @@ class Trying:
             return
         if self._hopeless(state):
             return
-        for activity in range(len(self._actions)):
-            if activity in state.starts or state.missing[2 * activity]:
+        ready = [activity for activity in range(len(self._actions)) if self._ready(state, activity)]
+        options = {activity: self._options(state, activity) for activity in ready}
+        latest = self._latest(state, options)
+        for activity, own in options.items():
+            for option in own:
+                if state.key <= option.key <= latest and not self._repeats(state, activity, option):
+                    after = self._put(state, activity, option)
+                    if after is not None:
+                        self._go_on(after)
+
+    def _ready(self, state: State, activity: int) -> bool:
+        """Whether an activity can be put down next, as far as order tells."""
+        if activity in state.starts or state.missing[2 * activity]:
+            return False
+        return not any(one not in state.starts for one in self._waits.get(activity, ())) and not self._awaits(
+            state, activity
+        )
+
+    def _options(self, state: State, activity: int) -> list[_Option]:
+        """The ways of putting down an activity next."""
+        options: list[_Option] = []
+        waits = [state.starts[one] for one in self._waits.get(activity, ())]
+        for robots in self._staffings(state, activity):
+            start, length, trips = self._earliest(state, activity, robots)
+            if trips is not None:
+                options.append(_Option(robots, max([start, *waits]), start, length, trips))
+        return options
+
+    def _repeats(self, state: State, activity: int, option: _Option) -> bool:
+        """Whether an activity of a smaller number could as well have been put down before the last one, at the same key as that."""
+        if self._takers or option.key > state.key or not state.placed or activity > state.placed[-1]:
+            return False
+        last = state.placed[-1]
+        if last in self._relations.earlier[activity] or last in self._relations.rivals[activity]:
+            return False
+        if last in self._waits.get(activity, ()) or {last, activity} <= self._problem.sharing.demand.keys():
+            return False
+        return not any(
+            state.robot_of[self._staffing.group_of[action.role]] in option.robots.values()
+            for _, action in self._actions[last]
+        )
+
+    def _latest(self, state: State, options: Mapping[int, Sequence[_Option]]) -> int:
+        """
+        The key beyond which nothing may be put down next; -1 if nothing may.
+
+        The next action of a robot that is held starts at a time that nothing else can change, unless it touches what others may still
+        move or hold. So does the next role of a type of which no robot is held, if all roles that are left could be it, at one of the
+        times at which they could. What starts later than that would have to be put down after it.
+        """
+        latest, opening = NEVER, dict[str, list[int]]()
+        if self._takers:
+            return latest
+        for activity, own in options.items():
+            if activity in self._problem.sharing.demand or any(
+                one not in state.starts for one in self._relations.rivals[activity]
+            ):
                 continue
-            if any(one not in state.starts for one in self._waits.get(activity, ())) or self._awaits(state, activity):
-                continue
-            for robots in self._staffings(state, activity):
-                after = self._put(state, activity, robots)
-                if after is not None:
-                    self._go_on(after)
+            robots = [
+                state.robot_of.get(self._staffing.group_of[action.role], -1) for _, action in self._actions[activity]
+            ]
+            roles = [action.role for _, action in self._actions[activity]]
+            if all(robot >= 0 and state.role[robot] == role for robot, role in zip(robots, roles, strict=True)):
+                latest = min(latest, own[0].key if own else -1)
+            elif len(roles) == 1:
+                opening.setdefault(self._staffing.type_of[roles[0]], []).append(activity)
+        for kind, activities in opening.items():
+            left = sum(self._first[role] not in state.starts for role in self._roles_of[kind])
+            if left == len(activities) and all(state.role[robot] < 0 for robot in self._of_kind[kind]):
+                keys = [option.key for activity in activities for option in options[activity]]
+                latest = min(latest, max(keys, default=-1))
+        return latest
 
     def _finish(self, state: State) -> None:
         end = max(state.time[1 : 2 * len(self._actions) : 2], default=0)
@@ -247,7 +331,7 @@ class Trying:
                 )
                 if max(begin, heads[2 * activity]) + tails[2 * activity] > limit:
                     return True
-        return False
+        return self._load.too_much(state, limit, self._waits)
 
     def _staffings(self, state: State, activity: int) -> Iterator[dict[int, int]]:
         """Robots by role, for all roles of an activity."""
@@ -301,13 +385,10 @@ class Trying:
         kinds = self._problem.fleet.types
         return all(sum(self._kind[robot] == kind.id for robot in used) <= kind.usable for kind in kinds)
 
-    def _put(self, state: State, activity: int, robots: dict[int, int]) -> State | None:
-        """The state with an activity put down; None if that cannot be, or leads nowhere new."""
-        start, length, trips = self._earliest(state, activity, robots)
-        if trips is None:
-            return None
-        key = max([start, *(state.starts[one] for one in self._waits.get(activity, ()))])
-        if key < state.key or start + self._bounds.tails[2 * activity] > self._limit:
+    def _put(self, state: State, activity: int, option: _Option) -> State | None:
+        """The state with an activity put down; None if that cannot be, or is over too late."""
+        robots, key, start, length, trips = option
+        if start + self._bounds.tails[2 * activity] > self._limit:
             return None
         if start + length > self._graph.deadline.get(activity, start + length):
             return None
