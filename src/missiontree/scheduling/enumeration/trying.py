@@ -129,11 +129,9 @@ class Trying:
         self._first = {role: self._graph.activity_of[leaves[0]] for role, leaves in self._graph.roles.items()}
         self._last = {role: leaves[-1] for role, leaves in self._graph.roles.items()}
         self._takers = problem.hand_overs.taker
-        self._relations = Relations(self._graph)
         self._roles_of: dict[str, list[int]] = {}
         for role in self._graph.roles:
             self._roles_of.setdefault(self._staffing.type_of[role], []).append(role)
-        self._load = Load(problem, self._of_kind, self._until)
         self._steps = 0
         self._best: Course | None = None
         self._under_way: dict[int, int] = {}
@@ -145,6 +143,8 @@ class Trying:
         ways = [sorted(self._graph.until[one]) for one in opened]
         if too_many(self._problem) or self._out_of_turn() or may_wait_at_chargers(self._problem):
             return Tried(False, None, 0)
+        # Not before it is known that the mission is small:
+        self._relations, self._load = Relations(self._graph), Load(self._problem, self._of_kind, self._until)
         try:
             for chosen in product(*(way or [-1] for way in ways)):
                 self._under_way = {one: last for one, last in zip(opened, chosen, strict=True) if last >= 0}
