@@ -167,6 +167,27 @@ def test_a_clock_that_has_run_out_stops_them() -> None:
     assert rounds.bound is not None
 
 
+def test_once_time_is_up_exchanges_alone_are_tried_only_if_nothing_else_finds_a_way(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The advice of the prices, repaired, costs less; but a way is found in either case."""
+    stopped, asked = Control(stop=lambda: True), list[str]()
+    alone = Rounds._mended_at_first
+
+    def watched(self: Rounds) -> object:
+        asked.append("exchanges")
+        return alone(self)
+
+    monkeypatch.setattr(Rounds, "_mended_at_first", watched)
+    repaired = rounds_of(mission(120, 4, 1), 3, stopped)
+    assert repaired.start()
+    assert asked == []
+    monkeypatch.setattr("missiontree.allocation.rounds.start", lambda *given: [])
+    mended = rounds_of(mission(120, 4, 1), 3, stopped)
+    assert len(mended.start()) == 1
+    assert (asked, mended.pool.highest is not None) == (["exchanges"], True)
+
+
 def test_ways_beyond_number_are_settled_by_the_order_of_choices() -> None:
     """30 choose 3 ways are best; the first three in order give a to the tasks 0, 1 and 2, 3 or 4."""
     problem = boiled(*tied_mission(30, {"a": 3}))

@@ -82,6 +82,8 @@ class Core:
 
     def way_under(self, top: int, picked: Sequence[int] | Way) -> tuple[Way, int, dict[int, int]]:
         """The way that takes the picked options below a part: its picks, its utility, its use by purse."""
+        if not self.options[top] and not self.parts[top]:  # as most options are
+            return {}, self.utility[top], dict(self.uses[top])
         way, utility, used = Way(), 0, dict[int, int]()
         stack = [top]
         while stack:
@@ -115,12 +117,14 @@ def core_of(flat: Flat, possible: Sequence[bool], purses: Purses) -> Core:
     """Boil down a tree whose root is possible."""
     core, bundles = Core(), dict[int, _Bundle]()
     for node in range(len(flat.kind) - 1, -1, -1):
+        if flat.kind[node] == "action":
+            if possible[node]:
+                bundles[node] = _Bundle(flat.utility[node], dict(purses.of_leaf(flat, node)), [])
+            continue
         below = [(place, child) for place, child in enumerate(flat.children[node]) if child in bundles]
         if not possible[node]:
             for _, child in below:
                 del bundles[child]
-        elif flat.kind[node] == "action":
-            bundles[node] = _Bundle(flat.utility[node], dict(purses.of_leaf(flat, node)), [])
         elif flat.kind[node] == "and":
             bundles[node] = _together([bundles.pop(child) for _, child in below])
         elif len(below) == 1:
@@ -178,6 +182,8 @@ def _reached(core: Core, kept: Sequence[Sequence[int]]) -> Iterable[int]:
 def _together(bundles: list[_Bundle]) -> _Bundle:
     if not bundles:
         return _Bundle(0, {}, [])
+    if len(bundles) == 1:
+        return bundles[0]
     whole = max(bundles, key=lambda bundle: len(bundle.uses) + len(bundle.open))
     for bundle in bundles:
         if bundle is not whole:

@@ -14,14 +14,13 @@ which is neither a proof of feasibility nor of the opposite.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
 from missiontree.allocation.flat import AMOUNT_SCALE, Flat, Shared, Stock
 from missiontree.allocation.lateness import late
-from missiontree.allocation.packing import Load, Packed, pack
+from missiontree.allocation.packing import Amounts, Load, Packed, add_up, pack
 from missiontree.allocation.selection import Selection
 from missiontree.allocation.wording import of_all_robots, of_the_mission, type_idle
 from missiontree.mission.reason import Reason
@@ -115,24 +114,24 @@ class Feasibility:
             if type_id not in taking_part:
                 raise _Refused(type_idle(type_id, named))
 
-    def _uses(self, selection: Selection) -> dict[int, Counter[str]]:
-        uses: dict[int, Counter[str]] = {}
+    def _uses(self, selection: Selection) -> dict[int, Amounts]:
+        uses: dict[int, Amounts] = {}
         for leaf in selection.leaves:
             if self.flat.uses[leaf]:
-                uses.setdefault(self.flat.role[leaf], Counter()).update(self.flat.uses[leaf])
+                add_up(uses.setdefault(self.flat.role[leaf], {}), self.flat.uses[leaf])
         return uses
 
-    def _check_totals(self, types: dict[int, str], uses: dict[int, Counter[str]]) -> None:
-        spent: dict[str, Counter[str]] = {}
+    def _check_totals(self, types: dict[int, str], uses: dict[int, Amounts]) -> None:
+        spent: dict[str, Amounts] = {}
         for role, used in uses.items():
-            spent.setdefault(types[role], Counter()).update(used)
+            add_up(spent.setdefault(types[role], {}), used)
         for type_id, used in spent.items():
             for name, needed in sorted(used.items()):
                 there = self.flat.stocks[type_id].pooled(name)
                 if there is not None and needed > there:
                     raise _Refused(_over_budget(type_id, self.flat.stocks[type_id], name, needed, there))
         for name, shared in self.flat.shared.items():
-            needed = sum(used[name] for used in spent.values())
+            needed = sum(used.get(name, 0) for used in spent.values())
             if needed > shared.limit:
                 raise _Refused(_over_shared(name, shared, needed))
 
@@ -201,12 +200,12 @@ def _merged(types: dict[int, str], same: Iterable[tuple[list[int], list[int]]]) 
 
 
 def _loads(
-    group_of: dict[int, int], types: dict[int, str], uses: dict[int, Counter[str]], apart: dict[int, set[int]]
+    group_of: dict[int, int], types: dict[int, str], uses: dict[int, Amounts], apart: dict[int, set[int]]
 ) -> dict[str, list[Load]]:
     """What the robots of each type are to be dealt out, by group."""
-    spent = {group: Counter[str]() for group in sorted(set(group_of.values()))}
+    spent: dict[int, Amounts] = {group: {} for group in sorted(set(group_of.values()))}
     for role, used in uses.items():
-        spent[group_of[role]].update(used)
+        add_up(spent[group_of[role]], used)
     loads: dict[str, list[Load]] = {}
     for group, used in spent.items():
         loads.setdefault(types[group], []).append(Load(group, used, frozenset(apart.get(group, ()))))

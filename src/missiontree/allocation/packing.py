@@ -8,13 +8,14 @@ in the same state are tried once, and states that failed are remembered, robots 
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from missiontree.allocation.flat import Stock, unlimited
 
+Amounts = dict[str, int]
+"""Billionths by name of the budget."""
 State = tuple[tuple[tuple[str, int], ...], tuple[int, ...], int]
 Because = Literal["budget", "apart", "in_use", "required"]
 
@@ -62,6 +63,12 @@ class Packed:
     because: Because = "budget"
 
 
+def add_up(sum_: Amounts, more: Mapping[str, int]) -> None:
+    """Add amounts to a sum; a Counter would do the same, and takes several times as long for the few names there are."""
+    for name, amount in more.items():
+        sum_[name] = sum_.get(name, 0) + amount
+
+
 def pack(stock: Stock, loads: Sequence[Load], steps: int) -> Packed:
     """Find a robot for every load, or prove that there is no way, or give up after so many steps."""
     packed = _packed(stock, loads, steps)
@@ -93,9 +100,9 @@ def _packed(stock: Stock, loads: Sequence[Load], steps: int) -> Packed:
 
 def _scarce(stock: Stock, loads: Sequence[Load]) -> list[str]:
     """Budgets that some robot could overdraw if it took everything; others need not be looked at."""
-    wanted: Counter[str] = Counter()
+    wanted: Amounts = {}
     for load in loads:
-        wanted.update(load.uses)
+        add_up(wanted, load.uses)
     return sorted(
         name for name, used in wanted.items() if any(used > left[name] for left in stock.budgets if name in left)
     )

@@ -50,8 +50,12 @@ class Purses:
 
     def of_leaf(self, flat: Flat, leaf: int) -> Uses:
         """What the leaf takes from which purse: its type's, the mission's, or both."""
-        found = ((self._index.get(purse, -1), amount) for purse, amount in flat.charges(leaf))
-        return tuple((index, amount // self.units[index]) for index, amount in found if index >= 0)
+        index, units, found = self._index, self.units, list[tuple[int, int]]()
+        for purse, amount in flat.charges(leaf) if flat.uses[leaf] else ():
+            place = index.get(purse)
+            if place is not None:
+                found.append((place, amount // units[place]))
+        return tuple(found)
 
     def of_choice(self, xor: int, child: int) -> Uses:
         """What taking the child of an XOR takes from which purse, beside what is below it."""
@@ -92,12 +96,16 @@ def _most(flat: Flat, possible: Sequence[bool]) -> Mapping[Purse, int]:
         use = dict(flat.charges(node)) if flat.uses[node] else {}
         if below:
             use = max(below, key=len)  # the smaller go into the larger, so that deep trees stay cheap
+        together = flat.kind[node] == "and"
         for part in below:
             if part is use:
                 continue
             for purse, amount in part.items():
                 before = use.get(purse, 0)
-                use[purse] = before + amount if flat.kind[node] == "and" else max(before, amount)
+                if together:
+                    use[purse] = before + amount
+                elif amount > before:
+                    use[purse] = amount
         if use:
             most[node] = use
     return most.get(0, {})

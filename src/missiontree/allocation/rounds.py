@@ -123,18 +123,23 @@ class Rounds:
         return min(GROWTH, log(DENSITY * (self.pool.k + 2)) / log(DENSITY * found) - 1)
 
     def start(self) -> list[Way]:
-        """Put first ways into the pool; once."""
+        """Put first ways into the pool; once. Where time is up, exchanges alone are tried only if nothing else finds a way."""
         if self._started is None:
+            hurried = self.control.ended()
             self._started = start(
                 self.pool,
                 self.core,
                 self.purses,
-                self._mended_at_first(),
+                None if hurried else self._mended_at_first(),
                 self.base.advised(),
                 (self.base.advised(raised) for raised in RAISED),
                 self.base.true_prices(self.purses),
                 self.control,
             )
+            if hurried and not self._started:
+                mended = self._mended_at_first()
+                if mended is not None and self.pool.offer(self.core.taken(mended)) is not None:
+                    self._started = [mended]
         return self._started
 
     def _mended_at_first(self) -> Way | None:

@@ -33,6 +33,7 @@ class Writer:
         self._usage = Usage(flat)
         self._choices: dict[tuple[int, int], Choice] = {}
         self._roles: dict[tuple[int, str], RoleType] = {}
+        self._robots: dict[tuple[int, str], Assignment] = {}
 
     def alternative(
         self, rank: int, utility: int, selection: Selection, verdict: Verdict, certificate: Certificate
@@ -60,7 +61,7 @@ class Writer:
             utility=utility / MICRO,
             choices=choices,
             roles=roles,
-            witness=tuple(Assignment(role, robot) for role, robot in verdict.witness),
+            witness=tuple(self._robot(role, robot) for role, robot in verdict.witness),
             uses=uses,
             certificate=certificate,
         )
@@ -74,6 +75,11 @@ class Writer:
         if (role, type_id) not in self._roles:
             self._roles[role, type_id] = RoleType(role, type_id)
         return self._roles[role, type_id]
+
+    def _robot(self, role: int, robot: str) -> Assignment:
+        if (role, robot) not in self._robots:
+            self._robots[role, robot] = Assignment(role, robot)
+        return self._robots[role, robot]
 
 
 def impossible(method: str, detail: str, reasons: tuple[Reason, ...], examined: int = 0) -> Ranking:
