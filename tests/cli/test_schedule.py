@@ -5,6 +5,11 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import pytest
+
+from missiontree.cli import schedule as command
+from missiontree.cli.schedule import _as_plan
+from missiontree.instances import read_instance, schedule_instance
 from tests.cli.running import Shell
 from tests.formats.test_coalitions import GOOD
 from tests.formats.tree_files import small
@@ -91,6 +96,18 @@ def test_a_chart_is_drawn_and_the_chain_is_told(shell: Shell, tmp_path: Path) ->
     chain = json.loads(shell("schedule", file, "--json").out)["critical_chain"]
     assert (chain["work_s"], chain["travel_s"], chain["waiting_s"]) == (6.5, 20.0, 0.0)
     assert {step["robot"] for step in chain["steps"]} == {"robot-1"}
+
+
+def test_after_a_stop_the_chain_of_a_large_tree_is_told_only_if_it_is_to_be_drawn(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    instance = read_instance(tmp_path / written(tmp_path, "shop.txt", SHOP))
+    found = schedule_instance(instance, solver=False)
+    assert _as_plan(instance, found, "shop", drawn=False, hurried=True) is not None
+    monkeypatch.setattr(command, "MOST_IN_A_HURRY", 14)  # one node less than it has
+    assert _as_plan(instance, found, "shop", drawn=False, hurried=True) is None
+    assert _as_plan(instance, found, "shop", drawn=True, hurried=True) is not None
+    assert _as_plan(instance, found, "shop", drawn=False, hurried=False) is not None
 
 
 def test_a_chart_that_cannot_be_drawn_is_refused(shell: Shell, tmp_path: Path) -> None:
