@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NamedTuple
@@ -12,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import typer
 
 from missiontree.cli import options
+from missiontree.cli.collecting import seldom_collected
 from missiontree.cli.exits import Exit
 from missiontree.cli.interrupt import controlled
 from missiontree.cli.screen import remark, show
@@ -23,8 +21,6 @@ if TYPE_CHECKING:
     from missiontree.mission.alternative import Ranking
     from missiontree.mission.estimate import Weights
     from missiontree.mission.fleet import Fleet
-
-SELDOM = (200_000, 50, 100)
 
 
 class Problem(NamedTuple):
@@ -115,17 +111,6 @@ def _exit(ranking: Ranking) -> Exit:
     if ranking.alternatives:
         return Exit.DELIVERED
     return Exit.CANNOT_BE_DONE if ranking.status == "infeasible" else Exit.EXHAUSTED
-
-
-@contextmanager
-def seldom_collected() -> Iterator[None]:
-    """Look for circles of garbage seldom: a tree of a million nodes makes none, and looking takes a third of the time."""
-    before = gc.get_threshold()
-    gc.set_threshold(*SELDOM)
-    try:
-        yield
-    finally:
-        gc.set_threshold(*before)
 
 
 def _problem(file: Path, *, budgets: bool, disjoint: bool) -> Problem:

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from missiontree.cli import options
+from missiontree.cli.collecting import seldom_collected
 from missiontree.cli.exits import Exit
 from missiontree.cli.interrupt import controlled
 from missiontree.cli.live import LiveLine
 from missiontree.cli.pictures import Asked, refuse_impossible, write_pictures
-from missiontree.cli.rank import seldom_collected
 from missiontree.cli.screen import remark, show
 from missiontree.errors import InputError
 

@@ -76,10 +76,9 @@ def actions_in_order(facts: Facts) -> Iterator[Reason]:
 def one_role_at_a_time(facts: Facts) -> Iterator[Reason]:
     """A robot is held from the first to the last action of a role, and takes no other role in between."""
     for robot, roles in facts.roles_of_robot.items():
-        for one in roles:
-            for other in roles:
-                start, end = facts.hold_of(one)
-                again, until = facts.hold_of(other)
+        held = {role: facts.hold_of(role) for role in roles}
+        for one, (start, end) in held.items():
+            for other, (again, until) in held.items():
                 if one < other and start + TICK_MS < until and again + TICK_MS < end:
                     message = f"{robot} is held by roles {one} and {other} at the same time."
                     yield broken("core_holding", message, node=facts.leaves_of_role[other][0], robot=robot)
