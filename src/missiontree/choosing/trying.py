@@ -17,6 +17,7 @@ from missiontree.mission.ticks import TICKS_PER_S, ticks_within
 from missiontree.scheduling.greedy import read_problem
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.scheduler import Scheduler
+from missiontree.scheduling.serial import few_leaves
 
 NEVER = 1 << 62
 """A tick that never comes."""
@@ -141,6 +142,8 @@ class Trials:
 
     def _bound(self, alternative: Alternative) -> int:
         brief = self._brief
+        if self._control.ended() and not few_leaves(self._tree, alternative):
+            return 0  # nobody waits for more
         problem = read_problem(self._tree, alternative, brief.terms.team_of(brief.fleet), self._scene, brief.terms)
         return problem.bounds.makespan if isinstance(problem, Problem) else NEVER
 
