@@ -15,12 +15,18 @@ from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
 from missiontree.mission.shared_resource import SharedResource
+from missiontree.mission.tree import Link, MissionTree
+from missiontree.mission.ways import Road, RoadGraph, RoadNode
 from missiontree.reporting.critical.additions import addition_lines
+from missiontree.reporting.critical.bonds import Bonds
 from missiontree.reporting.critical.spans import ms
 from missiontree.reporting.critical.view import why_view
+from missiontree.reporting.gantt.waits import why_stayed
 from missiontree.reporting.text import render
 from missiontree.scheduling.greedy import greedy
+from tests.builders import flat_tree, routine_node
 from tests.reporting.charts import plan_of, planned
+from tests.scheduling import test_passage as passage
 from tests.scheduling.instances import Instance, Part, at, mission, robots, scene, work
 
 
@@ -192,3 +198,45 @@ def test_more_robots_have_names_of_their_own() -> None:
 def test_a_type_or_a_robot_that_there_is_not_is_refused(type_id: str, like: str | None) -> None:
     with pytest.raises(ValueError, match="no robot type"):
         with_more(Fleet((robots("a"), robots("b"))), type_id, like=like)
+
+
+def test_room_on_ways_is_offered_where_the_chain_waits_for_it() -> None:
+    """
+    Two must go 20 m through a corridor for one; with room for two both go at once. The corridor in two halves that name a resource each:
+    more room in one of them brings nothing.
+    """
+    whole = passage.planned(passage.corridor(), "greedy", together())
+    assert ({"gate": 1}, "shorter") in rooms(whole)
+    middle = RoadNode(id="middle", position=Position(10, 0))
+    scene = passage.corridor()
+    halves = (Road(ends=("west", "middle"), resource="gate"), Road(ends=("middle", "east"), resource="track"))
+    scene = replace(
+        scene,
+        roads=RoadGraph(nodes=(middle,), roads=halves),
+        resources=(*scene.resources, SharedResource(id="track")),
+    )
+    found = rooms(passage.planned(scene, "greedy", together()))
+    assert ({"gate": 1, "track": 1}, "shorter") in found
+    assert all(verdict != "shorter" for names, verdict in found if len(names) == 1)
+
+
+def test_a_robot_that_has_no_room_on_its_way_is_said_to_wait_for_it() -> None:
+    plan = passage.planned(passage.corridor(), "greedy", together())
+    assert plan.grounding is not None
+    schedule = plan.schedules[0]
+    bonds = Bonds(plan.grounding.tree, schedule, plan.brief.scene, plan.brief.fleet)
+    first, second = sorted((leg for leg in schedule.legs if leg.distance_m), key=lambda leg: leg.start_s)
+    text = plan.grounding.tree.action(first.leaf).text
+    assert why_stayed(bonds, second.leaf) == f"for Gate, which {first.robot} holds: on the way to: {text}"
+    assert why_stayed(bonds, first.leaf) == ""
+
+
+def together() -> MissionTree:
+    """Two searches by two robots."""
+    searches = (routine_node(name, "Search", agent=name) for name in ("ann", "bob"))
+    return flat_tree(*searches, links=(Link("ann", "bob", "different_robot"),))
+
+
+def rooms(plan: Plan) -> list[tuple[dict[str, int], str]]:
+    """What was tried with more room, and what came of it."""
+    return [(dict(one.resources), one.verdict) for one in why_so_long(plan, 1).additions if one.resources]

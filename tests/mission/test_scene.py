@@ -60,6 +60,18 @@ def test_a_scene_that_contradicts_itself_is_refused(fields: dict[str, object], w
         Scene(**fields)  # type: ignore[arg-type]
 
 
+def test_a_road_ends_at_a_place_wherever_that_is_listed() -> None:
+    """Places may stand among the entities; a person is no end of a road."""
+    ends = (Entity(id="a", kind="place", position=Position(0, 0)), Entity(id="b", kind="hall", position=Position(3, 4)))
+    scene = Scene(entities=ends, kinds={"hall": "place"}, roads=RoadGraph(roads=(Road(ends=("a", "b")),)))
+    assert scene.road_points == {"a": Position(0, 0), "b": Position(3, 4)}
+    with pytest.raises(ValueError, match="a road ends at 'b'"):
+        Scene(
+            entities=(ends[0], Entity(id="b", kind="person", position=Position(3, 4))),
+            roads=RoadGraph(roads=(Road(ends=("a", "b")),)),
+        )
+
+
 def test_a_road_between_floors_needs_a_lift() -> None:
     nodes = (
         RoadNode(id="low", position=Position(0, 0)),

@@ -21,7 +21,7 @@ from missiontree.mission.chain import Addition, Verdict, WhySoLong
 from missiontree.mission.control import Control
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.plan import Plan
-from missiontree.mission.schedule import Schedule
+from missiontree.mission.schedule import Leg, Schedule
 from missiontree.reporting.critical.chain import chain_of
 from missiontree.reporting.critical.spans import ms
 from missiontree.scheduling import SCHEDULERS
@@ -83,7 +83,9 @@ class _Shortening:
             return why
         kinds = [kind for kind in self._brief.fleet.types if self._roles[kind.id]]
         asked = [[self._one_more(kind, like) for like in _models(kind)] for kind in kinds[:MOST_TYPES]]
-        asked += [[self._more_room(resource)] for resource in self._waited_for(why)]
+        waited = self._waited_for(why)
+        asked += [[self._more_room([resource])] for resource in waited]
+        asked += [[self._more_room(waited)]] if len(waited) > 1 else []  # a way may lead through several
         few = sum(self._roles.values()) <= MOST_ROLES and len(kinds) <= MOST_TYPES
         left, found = sum(map(len, asked)) + few, list[Addition]()
         for models in asked:
@@ -101,9 +103,12 @@ class _Shortening:
             replace(self._brief, fleet=with_more(self._brief.fleet, kind.id, like=like)), {kind.id: 1}, {}, like
         )
 
-    def _more_room(self, resource: str) -> _Larger:
-        assert self._brief.scene is not None
-        return _Larger(replace(self._brief, scene=with_room(self._brief.scene, resource)), {}, {resource: 1})
+    def _more_room(self, resources: Sequence[str]) -> _Larger:
+        scene = self._brief.scene
+        assert scene is not None
+        for resource in resources:
+            scene = with_room(scene, resource)
+        return _Larger(replace(self._brief, scene=scene), {}, dict.fromkeys(resources, 1))
 
     def _everyone(self, kinds: Sequence[RobotType]) -> _Larger:
         fleet = self._brief.fleet
@@ -112,12 +117,19 @@ class _Shortening:
         return _Larger(replace(self._brief, fleet=fleet), {kind.id: self._roles[kind.id] for kind in kinds}, {})
 
     def _waited_for(self, why: WhySoLong) -> list[str]:
-        """Shared resources that the chain waits for."""
+        """Shared resources that the chain waits for, on ways too."""
         assert self._plan.grounding is not None
-        held = [
-            self._plan.grounding.tree.action(step.leaf).holds for step in why.chain.steps if step.bond == "resource"
-        ]
-        return sorted({name for names in held for name in names if name in self._brief.world.shared})
+        tree, world = self._plan.grounding.tree, self._brief.world
+        waited: set[str] = set()
+        for step in why.chain.steps:
+            if step.bond != "resource":
+                continue
+            ways: list[Leg] = [leg for leg in self._schedule.legs if leg.leaf == step.leaf]
+            if step.kind == "home":
+                ways = [leg for leg in self._schedule.returns if leg.robot == step.robot]
+            waited |= {name for leg in ways for name in world.passed(leg.via)}
+            waited |= {*tree.action(step.leaf).holds} if step.kind not in {"home", "travel"} else set()
+        return sorted(waited & world.shared.keys())
 
     def _told(self, larger: _Larger, share: float) -> Addition:
         anew = self._scheduled(larger.brief, share)

@@ -139,8 +139,8 @@ class WhySoLong(Value):
     chain
         Its critical chain.
     additions
-        One more robot of each type that takes part, and one more place at each shared resource that is waited for; those that shorten it
-        most first.
+        One more robot of each type that takes part, and one more place at each shared resource that is waited for, and at all of them;
+        those that shorten it most first.
     unlimited
         As many more robots of every type as there are roles, so that nobody is ever waited for; None if that was not tried.
     """

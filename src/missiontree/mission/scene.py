@@ -226,8 +226,9 @@ class Scene(Value):
 
     @cached_property
     def road_points(self) -> dict[str, Position]:
-        """Positions, in ``map``, of road nodes and of places that have one."""
-        places = {place.id: self.in_map(place.position) for place in self.places if place.position is not None}
+        """Positions, in ``map``, of road nodes and of places that have one, under ``entities`` too."""
+        listed = (*self.places, *(one for one in self.entities if "place" in self.lineage(one.kind)))
+        places = {place.id: self.in_map(place.position) for place in listed if place.position is not None}
         nodes = self.roads.nodes if self.roads is not None else ()
         return places | {node.id: self.in_map(node.position) for node in nodes}
 

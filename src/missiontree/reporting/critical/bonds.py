@@ -252,7 +252,8 @@ class Bonds:
 
     def _resources(self, event: Event) -> Iterator[Cause]:
         """Who was the last to hold a shared resource that had no room until then."""
-        now, mates = self.time(event), self.joint(event.leaf)
+        now = self.time(event)
+        mates = [event.leaf] if event.kind == "departure" else self.joint(event.leaf)  # each has a way of its own
         for name in self.holds(event):
             wanted = 1
             if event.kind == "start":

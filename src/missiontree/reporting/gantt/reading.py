@@ -20,7 +20,7 @@ from missiontree.reporting.gantt.content import Bar, Content, Order, Row, Stretc
 from missiontree.reporting.gantt.dues import dues_of, times_at, times_of
 from missiontree.reporting.gantt.shared import shared_rows
 from missiontree.reporting.gantt.time import exact
-from missiontree.reporting.gantt.waits import why_waited
+from missiontree.reporting.gantt.waits import why_stayed, why_waited
 from missiontree.reporting.palette import Livery, liveries
 from missiontree.reporting.visits import Visit, visits_of
 
@@ -164,22 +164,33 @@ class _Robot:
         return Stretch(leg.start_s, leg.end_s, label, title, lit)
 
     def _waits(self) -> Iterator[Stretch]:
-        """Time in which the robot is held, or there already, and does nothing."""
+        """Time in which the robot is held, or there already, or has no room on its way, and does nothing."""
         yield from (wait for visit in self.visits if (wait := _waits_for_room(visit)) is not None)
         begun: set[int] = set()
         before: ScheduledAction | None = None
         for one in self.done:
             role, leg = self.tree.action(one.leaf).role, self.bonds.legs.get(one.leaf)
-            gaps = [(leg.end_s, one.start_s)] if leg is not None else []
-            if before is not None and role in begun:
-                gaps.insert(0, (before.end_s, one.start_s if leg is None else leg.start_s))
-            for since, until in gaps:
-                if ms(since) < ms(until):
-                    reason = why_waited(self.bonds, one.leaf)
-                    title = f"{one.robot} waits, {exact(since)} to {exact(until)} ({exact(until - since)})"
-                    yield Stretch(since, until, reason, f"{title}\n{reason}".rstrip())
+            held = before if role in begun else None
+            if leg is None:
+                if held is not None:
+                    yield from _wait(one.robot, held.end_s, one.start_s, why_waited(self.bonds, one.leaf))
+            else:
+                stayed = why_stayed(self.bonds, one.leaf)
+                if held is not None or stayed:
+                    yield from _wait(one.robot, self._free_before(leg), leg.start_s, stayed)
+                yield from _wait(one.robot, leg.end_s, one.start_s, why_waited(self.bonds, one.leaf))
             begun.add(role)
             before = one
+        if self.home is not None and self.bonds.shares(self.home):
+            yield from _wait(
+                self.home.robot, self._free_before(self.home), self.home.start_s, "for room on the way home"
+            )
+
+    def _free_before(self, leg: TravelLeg | OwnLeg) -> float:
+        """When the robot was done with whatever it did before a way, or came."""
+        ends = [one.end_s for one in self.done] + [visit.recharge.end_s for visit in self.visits]
+        ends += [stretch.end_s for stretch in self.away]
+        return max((end for end in ends if ms(end) <= ms(leg.start_s)), default=0.0)
 
     def _roles(self) -> list[Stretch]:
         spans: dict[int, tuple[float, float]] = {}
@@ -192,6 +203,12 @@ class _Robot:
             for role, (start, end) in sorted(spans.items(), key=lambda span: (span[1], span[0]))
             if (label := one_line(self.tree.roles[role].label)) is not None
         ]
+
+
+def _wait(robot: str, since: float, until: float, reason: str) -> Iterator[Stretch]:
+    if ms(since) < ms(until):
+        title = f"{robot} waits, {exact(since)} to {exact(until)} ({exact(until - since)})"
+        yield Stretch(since, until, reason, f"{title}\n{reason}".rstrip())
 
 
 def _way_to(visit: Visit, lit: bool) -> Stretch:
