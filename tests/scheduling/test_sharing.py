@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from benchmarks.scheduling_agreement import judge
 from missiontree.mission.control import Control
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.scene import Scene
@@ -202,13 +203,19 @@ def test_turns_keep_room_whatever_the_times(spans: list[tuple[int, int, int]], c
     """Actions put down anew, each as soon as those that it waits for are over, never crowd the resource."""
     sharing = Sharing({"lift": capacity}, {number: {"lift": robots} for number, (_, _, robots) in enumerate(spans)})
     given_spans = {number: (start, start + length) for number, (start, length, _) in enumerate(spans)}
-    pairs = turns(sharing, given_spans, {number: number for number in given_spans})
+    numbers = sorted(given_spans, key=lambda one: (*given_spans[one], one))
+    pairs = turns(sharing, given_spans, in_turn(numbers))
     again: dict[int, tuple[int, int]] = {}
-    for number in sorted(given_spans, key=lambda one: (*given_spans[one], one)):
+    for number in numbers:
         start = max([again[first][1] for first, second in pairs if second == number], default=0)
         again[number] = start, start + spans[number][1]
     holds = [Hold(*again[number], spans[number][2]) for number in again]
     assert all(crowd(holds, half) <= capacity for half in range(1, 80, 2))
+
+
+def in_turn(activities: list[int]) -> dict[int, int]:
+    """An order of events in which one activity is wholly before the next."""
+    return {2 * one + event: 2 * place + event for place, one in enumerate(activities) for event in (0, 1)}
 
 
 def test_places_are_passed_on_in_order_of_the_starts() -> None:
@@ -216,4 +223,20 @@ def test_places_are_passed_on_in_order_of_the_starts() -> None:
     sharing = Sharing({"door": 1}, {number: {"door": 1} for number in range(3)})
     order = [2, 0, 1]
     spans = {number: (3 * place, 3 * place + 3) for place, number in enumerate(order)}
-    assert turns(sharing, spans, {0: 0, 1: 1, 2: 2}) == list(pairwise(order))
+    assert turns(sharing, spans, in_turn(order)) == list(pairwise(order))
+
+
+def test_what_lasts_until_another_ends_does_not_make_way_for_it() -> None:
+    """
+    Room for two: activity 0 lasts until activity 2 ends, at 4, where that takes no time; activity 1 is there from 0 to 3. So 2 takes the
+    place of 1, though that of 0 is the one that is given up last.
+    """
+    sharing = Sharing({"lift": 2}, {number: {"lift": 1} for number in range(3)})
+    spans = {0: (0, 4), 1: (0, 3), 2: (4, 4)}
+    events = [0, 2, 3, 4, 5, 1]  # 2 begins and ends, then 0 ends
+    assert turns(sharing, spans, {event: place for place, event in enumerate(events)}) == [(1, 2)]
+
+
+def test_the_campaign_s_case_of_a_lift_given_up_at_one_moment_is_closed() -> None:
+    """One robot in two roles one after the other, both ending where a third, which lasts until one of them ends, gives up the lift."""
+    assert judge(11, 6662).violations == ()

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
+
+from missiontree.scheduling.precedence import TaskGraph
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,3 +31,12 @@ class Course:
     after_end: Sequence[tuple[int, int]] = ()
     after_start: Sequence[tuple[int, int]] = ()
     under_way: Mapping[int, int] = field(default_factory=dict)
+
+
+def passings(graph: TaskGraph, tours: Mapping[str, Sequence[int]]) -> list[tuple[int, int]]:
+    """Pairs of activities of robots that go from one role to the next: with the first a role ends, with the second one begins."""
+    return [
+        (graph.activity_of[graph.roles[earlier][-1]], graph.activity_of[graph.roles[later][0]])
+        for roles in tours.values()
+        for earlier, later in pairwise(roles)
+    ]

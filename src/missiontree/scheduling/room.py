@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import heapq
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from missiontree.scheduling.precedence import TaskGraph
+from missiontree.scheduling.precedence import TaskGraph, indegrees
 from missiontree.scheduling.sharing import Sharing
 
 
@@ -87,18 +88,55 @@ def room_for(
     return ready
 
 
-def rank_of(graph: TaskGraph) -> dict[int, int]:
-    """A rank for each activity, such that none stands before one that must be over before it."""
-    starts = [event // 2 for event in graph.order() or () if event % 2 == 0 and event // 2 < len(graph.activities)]
-    return {activity: rank for rank, activity in enumerate(starts)}
+def order_of_events(
+    graph: TaskGraph, spans: Mapping[int, tuple[int, int]], more: Iterable[tuple[int, int]] = ()
+) -> dict[int, int]:
+    """
+    Which event comes before which, by times, and at one time by what must come first.
+
+    Parameters
+    ----------
+    graph
+        Activities and their order.
+    spans
+        Start and end of every activity.
+    more
+        Further pairs of activities, the second starts no sooner than the first has ended.
+
+    Returns
+    -------
+    dict of int to int
+        By event, its place; of unrelated ones at one time, ends come before starts. Events on a cycle are left out.
+    """
+    later = [list(after) for after in graph.successors]
+    for first, second in more:
+        later[2 * first + 1].append(2 * second)
+    times = [0] * len(later)
+    for activity, (start, end) in spans.items():
+        times[2 * activity], times[2 * activity + 1] = start, end
+    missing, count = indegrees(later), 2 * len(graph.activities)
+    ready = [(times[event], event < count and event % 2 == 0, event) for event, left in enumerate(missing) if not left]
+    heapq.heapify(ready)
+    order: dict[int, int] = {}
+    while ready:
+        time, _, event = heapq.heappop(ready)
+        order[event] = len(order)
+        for after in later[event]:
+            missing[after] -= 1
+            if after >= count:  # what only ties others together is when the last of those before it is
+                times[after] = max(times[after], time)
+            if not missing[after]:
+                heapq.heappush(ready, (max(times[after], time), after < count and after % 2 == 0, after))
+    return order
 
 
-def turns(sharing: Sharing, spans: Mapping[int, tuple[int, int]], rank: Mapping[int, int]) -> list[tuple[int, int]]:
+def turns(sharing: Sharing, spans: Mapping[int, tuple[int, int]], order: Mapping[int, int]) -> list[tuple[int, int]]:
     """
     Who waits for whom at shared resources, so that the same order is kept whatever the times: pairs of activities, the second starts no
     sooner than the first has ended.
 
-    Each place in a resource is passed on from one holder to the next (interval colouring), in order of the starts.
+    Each place in a resource is passed on from one holder to the next (interval colouring), in order of the starts. At one moment a place
+    goes only to whom order lets come after the end of who had it: an action that lasts until another ends has its place until then.
 
     Parameters
     ----------
@@ -106,17 +144,24 @@ def turns(sharing: Sharing, spans: Mapping[int, tuple[int, int]], rank: Mapping[
         Who holds what.
     spans
         Start and end of every activity.
-    rank
-        Which comes first of two that start and end together.
+    order
+        The order of events, see :func:`order_of_events`.
     """
     pairs: dict[tuple[int, int], None] = {}
     for name, capacity in sharing.capacity.items():
         holders = sharing.holders(name)
         places: list[tuple[int, int]] = [(0, -1)] * capacity  # from when each is free, and who was there last
-        for activity in sorted(holders, key=lambda one: (*spans[one], rank[one])):
+        for activity in sorted(holders, key=lambda one: (*spans[one], order.get(2 * one, 0))):
             start, end = spans[activity]
-            places.sort(key=lambda place, start=start: (max(0, place[0] - start), -place[0], place[1]))  # type: ignore[misc]
+
+            def early(place: tuple[int, int], start: int = start, begins: int = order.get(2 * activity, 0)) -> bool:
+                """Whether whoever has the place gives it up just then, and only after this has begun."""
+                return place[0] == start and order.get(2 * place[1] + 1, -1) > begins
+
+            places.sort(key=lambda place, start=start: (early(place), max(0, place[0] - start), -place[0], place[1]))  # type: ignore[misc]
             for number in range(min(capacity, holders[activity])):
+                if early(places[number]):
+                    break
                 if places[number][1] >= 0:
                     pairs[places[number][1], activity] = None
                 places[number] = (end, activity)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from missiontree.mission.control import never
-from missiontree.scheduling.course import Course
+from missiontree.scheduling.course import Course, passings
 from missiontree.scheduling.cpsat.crew import Crew, crews, uses_of
 from missiontree.scheduling.cpsat.heads import Spans, add_heads
 from missiontree.scheduling.cpsat.model import FAR, Affine, Linear, Model, negated
@@ -25,7 +25,7 @@ from missiontree.scheduling.cpsat.travel import Distances, Legs, home_after
 from missiontree.scheduling.cpsat.unsupported import UnsupportedError
 from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.recharging import may_wait_at_chargers
-from missiontree.scheduling.room import rank_of, turns
+from missiontree.scheduling.room import order_of_events, turns
 
 
 class Formulation:
@@ -144,13 +144,18 @@ class Formulation:
                 robots[role] = name
                 tours.setdefault(name, []).append(role)
         after_end, after_start = self._order_of_things(values)
-        return Course(robots, tours, after_end + self._turns(values), after_start, self._under_way(values))
+        if self.problem.sharing:
+            after_end += self._turns(values, [*after_end, *passings(self.problem.graph, tours)])
+        return Course(robots, tours, after_end, after_start, self._under_way(values))
 
-    def _turns(self, values: list[int]) -> list[tuple[int, int]]:
-        """Who waits for whom at shared resources."""
-        sharing, times = self.problem.sharing, self.times
-        spans = {one: (_when(times.start[one], values), _when(times.end[one], values)) for one in sharing.demand}
-        return turns(sharing, spans, rank_of(self.problem.graph)) if sharing else []
+    def _turns(self, values: list[int], more: list[tuple[int, int]]) -> list[tuple[int, int]]:
+        """Who waits for whom at shared resources; ``more``: who comes after whom for other reasons."""
+        graph, times = self.problem.graph, self.times
+        spans = {
+            one: (_when(times.start[one], values), _when(times.end[one], values))
+            for one in range(len(graph.activities))
+        }
+        return turns(self.problem.sharing, spans, order_of_events(graph, spans, more))
 
     def _hand_out(self, crew: Crew, staff: Staff | None, values: list[int]) -> dict[int, str]:
         """Robots of roles in order of their starts: those that were named, else the first that is free (interval colouring)."""

@@ -24,7 +24,7 @@ from typing import NamedTuple
 from missiontree.estimation.travel import Blocked
 from missiontree.mission.ticks import ticks, ticks_within
 from missiontree.scheduling.bounds import NEVER
-from missiontree.scheduling.course import Course
+from missiontree.scheduling.course import Course, passings
 from missiontree.scheduling.enumeration.load import Load
 from missiontree.scheduling.enumeration.relations import Relations
 from missiontree.scheduling.enumeration.state import State
@@ -32,7 +32,7 @@ from missiontree.scheduling.impossible import TOLERANCE
 from missiontree.scheduling.precedence import indegrees
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.recharging import may_wait_at_chargers
-from missiontree.scheduling.room import Hold, room_for, turns
+from missiontree.scheduling.room import Hold, order_of_events, room_for, turns
 from missiontree.scheduling.trips import Spot, Trip
 
 MOST_CHOICES = 64
@@ -544,9 +544,9 @@ class Trying:
                 if begun is not None:
                     (after_start if begun else after_end).append((first, second))
         if self._problem.sharing:
-            spans = {one: (state.starts[one], state.time[2 * one + 1]) for one in self._problem.sharing.demand}
-            rank = {one: place for place, one in enumerate(state.placed)}
-            after_end += turns(self._problem.sharing, spans, rank)
+            spans = {one: (state.starts[one], state.time[2 * one + 1]) for one in state.placed}
+            order = order_of_events(self._graph, spans, [*after_end, *passings(self._graph, tours)])
+            after_end += turns(self._problem.sharing, spans, order)
         return Course(robots, tours, after_end, after_start, dict(self._under_way))
 
     def _begun_is_enough(self, first: int, second: int) -> bool | None:
