@@ -136,7 +136,8 @@ def turns(sharing: Sharing, spans: Mapping[int, tuple[int, int]], order: Mapping
     sooner than the first has ended.
 
     Each place in a resource is passed on from one holder to the next (interval colouring), in order of the starts. At one moment a place
-    goes only to whom order lets come after the end of who had it: an action that lasts until another ends has its place until then.
+    goes rather to whom order lets come after the end of who had it: an action that lasts until another ends has its place until then. If
+    there is no other place, nobody can keep to the pair.
 
     Parameters
     ----------
@@ -160,8 +161,6 @@ def turns(sharing: Sharing, spans: Mapping[int, tuple[int, int]], order: Mapping
 
             places.sort(key=lambda place, start=start: (early(place), max(0, place[0] - start), -place[0], place[1]))  # type: ignore[misc]
             for number in range(min(capacity, holders[activity])):
-                if early(places[number]):
-                    break
                 if places[number][1] >= 0:
                     pairs[places[number][1], activity] = None
                 places[number] = (end, activity)
