@@ -2,6 +2,7 @@
 
 import json
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -35,3 +36,8 @@ def test_what_fits_stands_in_one_line_and_what_does_not_is_broken() -> None:
         "",
     ]
     assert json_text(data).split("\n") == expected
+
+
+@pytest.mark.parametrize("acting", ["\x7f", "\x85", "\u202e", "\ud800", "\ufeff"])
+def test_a_character_that_acts_is_written_by_its_number(acting: str) -> None:
+    assert json_text({"a": f"x{acting}y"}) == f'{{\n  "a": "x\\u{ord(acting):04x}y"\n}}\n'

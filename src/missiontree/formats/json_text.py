@@ -8,6 +8,7 @@ from typing import Any
 
 _WIDTH = 120
 _ALWAYS_BROKEN = 2
+_ENCODER = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
 # Characters that act instead of being seen and that JSON lets stand: C1 controls, directions, what has no width, line and
 # paragraph separators, halves of pairs, and the last two of each plane. The joiners of Persian, Hindi and emoji stay.
 _ACTING = re.compile(
@@ -45,7 +46,8 @@ def _laid_out(plain: Any, level: int) -> str:
 
 
 def _compact(plain: Any) -> str:
-    return _ACTING.sub(_by_number, json.dumps(plain, ensure_ascii=False, allow_nan=False))
+    text = _ENCODER.encode(plain)
+    return text if text.isascii() and "\x7f" not in text else _ACTING.sub(_by_number, text)
 
 
 def _by_number(found: re.Match[str]) -> str:
