@@ -127,6 +127,15 @@ def test_what_the_user_prices_high_comes_last() -> None:
     assert [repair.cost for repair in told_of(request).told.repairs] == [50, 100]
 
 
+def test_where_one_robot_is_too_few_for_two_parts_that_is_told() -> None:
+    """Anna and the crate are to be searched for by different robots; the rover alone can search, and there is one."""
+    request = mission(FIND, ("Search", {"agent": "crate"}), links=(Link("n0", "n1", "different_robot"),))
+    (cause,) = told_of(request).told.causes
+    few = [reason for reason in cause.reasons if reason.rule == "too_few_robots"]
+    assert [(one.robot, one.message) for one in few] == [("rover", "Rover can do both parts, and there is one.")]
+    assert {reason.robot for reason in cause.reasons if reason.rule == "capability_missing"} == {"arm"}
+
+
 def test_who_lacks_what_is_told_of_a_part_with_choices_too() -> None:
     """Anna is searched for or reached, by another robot than the one that carries the crate; and the rover alone can do any of it."""
     both = FLEET.replace("carry: 1.0", "lift: 1.0").replace("reach: 0.8", "reach: 0.8, carry: 0.9")
@@ -140,7 +149,8 @@ def test_who_lacks_what_is_told_of_a_part_with_choices_too() -> None:
     (cause,) = told_of(replace(request, tree=tree)).told.causes
     assert "different robots" in cause.words
     lacking = {(reason.node, reason.robot, reason.needed) for reason in cause.reasons if reason.robot}
-    assert lacking == {("n0", "arm", "carry"), ("n1", "arm", "search"), ("n2", "arm", "reach")}
+    too_few = ("", "rover", "2")
+    assert lacking == {("n0", "arm", "carry"), ("n1", "arm", "search"), ("n2", "arm", "reach"), too_few}
 
 
 def test_links_that_no_robot_can_keep_are_given_up() -> None:
