@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import atexit
 import signal
 import sys
 from collections.abc import Callable
@@ -28,8 +27,9 @@ from missiontree.cli import (
     schema,
     show,
 )
+from missiontree.cli.ending import end
 from missiontree.cli.exits import Exit, guarded
-from missiontree.cli.interrupt import deaf, interrupts
+from missiontree.cli.interrupt import interrupts
 from missiontree.errors import InputError
 
 JARGON = {
@@ -80,8 +80,7 @@ def main() -> None:
     """Entry point of the command ``missiontree``."""
     signal.signal(signal.SIGTERM, interrupts)
     code = guarded(_run, debug="--debug" in sys.argv)
-    atexit.register(deaf)  # all is said, so that a late signal must not make a failure of it
-    sys.exit(code)
+    end(code)
 
 
 def _plainly(message: str) -> str:

@@ -26,7 +26,8 @@ LIMIT_S = 60.0
 MOST_EXPLAINED = 5_000
 """Scheduled actions above which it is not said in passing why a schedule takes so long."""
 MOST_IN_A_HURRY = 2_000
-"""Nodes of a tree above which it is not said after somebody said stop: a quarter of a second for 15,000."""
+"""Nodes of a tree above which it is not said after somebody said stop or a short limit: a quarter of a second for 15,000."""
+SHORT_S = 10.0
 
 
 def command(
@@ -75,7 +76,8 @@ def command(
                 asks = solver and _solver_there()
                 schedule = schedule_instance(instance, control, solver=asks, bound_share=bound_share)
             elapsed = perf_counter() - started
-            plan = _as_plan(instance, schedule, file.name, drawn=gantt is not None, hurried=control.stop())
+            hurried = control.stop() or (time_limit < SHORT_S and control.ended())
+            plan = _as_plan(instance, schedule, file.name, drawn=gantt is not None, hurried=hurried)
             told = Told(instance, schedule, file.name, seed or 0, time_limit, elapsed, plan)
             if as_json:
                 typer.echo(json_of(told), nl=False)

@@ -20,6 +20,14 @@ PARTING_S = 1.0
 """For threads left behind, at the end of the process: one that is inside foreign code must not see it taken down."""
 
 
+_LEFT: list[threading.Thread] = []
+
+
+def anyone_left() -> bool:
+    """Whether something that was left behind still goes on."""
+    return any(thread.is_alive() for thread in _LEFT)
+
+
 class _BrokenOff(BaseException):
     """Raised in a thread that nobody waits for any more."""
 
@@ -73,6 +81,7 @@ class Aside(Generic[Result]):
         thread = self._thread.ident
         if self.over() or thread is None:
             return
+        _LEFT.append(self._thread)
         atexit.register(self._thread.join, PARTING_S)
         if not whole:
             ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(_BrokenOff))
