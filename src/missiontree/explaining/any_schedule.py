@@ -12,8 +12,9 @@ from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import Terms
 from missiontree.scheduling import SCHEDULERS
-from missiontree.scheduling.greedy import best_of_runs, read_problem
+from missiontree.scheduling.greedy import read_problem
 from missiontree.scheduling.problem import Problem
+from missiontree.scheduling.runs import best_of_runs
 from missiontree.scheduling.writing import found_schedule, impossible_schedule
 
 WORKING = frozenset({"optimal", "feasible"})

@@ -2,10 +2,10 @@
 Greedy list scheduling: instant, honest about what it proves.
 
 First what cannot be is proven: a cycle, a place out of reach, a budget too small, a deadline too soon, robots that must be one and
-two. Then a few
-deterministic runs of serial schedule generation (:mod:`missiontree.scheduling.serial`) with different rules, and the best of them is
-kept. If its makespan equals a lower bound it is optimal. If not, and the mission is so small that everything can be tried out in few steps
-(:mod:`missiontree.scheduling.enumeration`), that is done, and proves what is best.
+two. Then a few deterministic runs of serial schedule generation (:mod:`missiontree.scheduling.runs`) with different rules, and the best of
+them is kept. If its makespan equals a lower bound it is optimal. If not, and the mission is so small that everything can be tried out in
+few steps (:mod:`missiontree.scheduling.enumeration`), that is done, and proves what is best. Further runs follow: many where nothing is
+proven, else a few for the sake of shorter ways.
 """
 
 from __future__ import annotations
@@ -13,51 +13,48 @@ from __future__ import annotations
 from functools import partial
 
 from missiontree.mission.alternative import Alternative
-from missiontree.mission.control import Control, Progress
+from missiontree.mission.certificate import Certificate
+from missiontree.mission.control import Control
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import NO_TERMS, Terms
-from missiontree.mission.ticks import seconds, ticks_within
+from missiontree.mission.ticks import ticks_within
 from missiontree.scheduling.alike import alike_roles
 from missiontree.scheduling.approach_budget import approaches_too_dear
-from missiontree.scheduling.availability import away, gone_before, least_holds, some_leave
+from missiontree.scheduling.availability import gone_before, least_holds, some_leave
 from missiontree.scheduling.bounds import lower_bounds
 from missiontree.scheduling.bundles import bundles_of, crews_of
 from missiontree.scheduling.chargers import chargers_of
-from missiontree.scheduling.deadlines import Late, deadlines_missed, deadlines_out_of_reach
+from missiontree.scheduling.deadlines import deadlines_out_of_reach
 from missiontree.scheduling.enumeration.proving import tried_out
 from missiontree.scheduling.hand_overs import HandOvers, hand_overs_of
 from missiontree.scheduling.holding import order_held_roles
 from missiontree.scheduling.homing import home_too_late, never_home
 from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.impossible import budgets_exceeded, cycle_reason, group_needs, unreachable_places
-from missiontree.scheduling.meeting import apart
-from missiontree.scheduling.mission_terms import required_in_vain, shared_by_all, shared_exceeded, terms_broken
+from missiontree.scheduling.mission_terms import required_in_vain, shared_by_all, shared_exceeded
 from missiontree.scheduling.overlap import overlaps_of_one_robot
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import task_graph
-from missiontree.scheduling.problem import Draft, Problem
+from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.recharging import never_enough
-from missiontree.scheduling.rules import rules
-from missiontree.scheduling.serial import Run
+from missiontree.scheduling.runs import MAX_RUNS, Runs
 from missiontree.scheduling.sharing import order_open_ended, sharing_of, too_crowded
 from missiontree.scheduling.staffing import staffing_conflicts, staffing_of
 from missiontree.scheduling.trips import Trips
 from missiontree.scheduling.writing import (
-    TIME_IS_UP,
     found_schedule,
     impossible_schedule,
     no_schedule,
     unknown_schedule,
 )
 
-LEAVES_PER_CALL = 20_000  # work that retries may cost, in scheduled leaves
-MIN_RUNS, MAX_RUNS = 3, 40
+FIRST_RUNS = 6  # before everything is tried out
+IN_VAIN = 12  # further runs that change nothing, after which it is taken that no way gets shorter
 FEW_STEPS = 1_000  # of trying everything out
-ROBOTS_PER_CALL = 1_500_000  # the same, in robots looked at for a role
 
 
 def greedy(
@@ -72,15 +69,30 @@ def greedy(
     problem = read_problem(tree, alternative, terms.team_of(fleet), scene, terms)
     if not isinstance(problem, Problem):
         return impossible_schedule(alternative, *problem)
-    best, failures = best_of_runs(problem, alternative, control)
-    proof = None
-    if best is None or best.makespan > problem.bounds.makespan:
-        best, proof = tried_out(problem, best, partial(horizon_of, problem), FEW_STEPS, control.ended)
-    if best is not None:
-        return found_schedule(problem, alternative, best, proof)
+    runs = Runs(problem, alternative, control)
+    runs.go(FIRST_RUNS, anyway=True)
+    proof = _tried(runs, control)
+    if proof is not None or runs.shortest:
+        if runs.best is not None:
+            runs.go(MAX_RUNS, IN_VAIN)
+    else:
+        before = runs.best
+        runs.go(MAX_RUNS)
+        if runs.best is not None and (before is None or runs.best.makespan < before.makespan):
+            proof = _tried(runs, control)
+    if runs.best is not None:
+        return found_schedule(problem, alternative, runs.best, proof)
     if proof is not None:
-        return no_schedule(alternative, proof, failures)
-    return unknown_schedule(problem, alternative, failures)
+        return no_schedule(alternative, proof, runs.failures)
+    return unknown_schedule(problem, alternative, runs.failures)
+
+
+def _tried(runs: Runs, control: Control) -> Certificate | None:
+    """The certificate of having tried everything that could be shorter, if that took few steps."""
+    if runs.shortest:
+        return None
+    runs.best, proof = tried_out(runs.problem, runs.best, partial(horizon_of, runs.problem), FEW_STEPS, control.ended)
+    return proof
 
 
 def read_problem(
@@ -153,58 +165,3 @@ def read_problem(
         hand_overs,
         chargers,
     )
-
-
-def best_of_runs(
-    problem: Problem, alternative: Alternative, control: Control, more: Control | None = None, most: int = MAX_RUNS
-) -> tuple[Draft | None, list[Reason]]:
-    """
-    The best draft of all runs, and why runs got stuck.
-
-    Parameters
-    ----------
-    problem, alternative
-        What is scheduled.
-    control
-        Limits of the first run, and of all until some draft is found.
-    more
-        Limits of further runs. Default: the same.
-    most
-        How many runs improve on a draft at most.
-    """
-    best: Draft | None = None
-    failures: dict[Reason, None] = {}
-    late: Late | None = None
-    runs = max(MIN_RUNS, min(most, LEAVES_PER_CALL // max(1, len(problem.graph.activity_of))))
-    looked = 0
-    for number, rule in enumerate(rules(problem, alternative, runs, control.seed)):
-        if best is not None and (_unbeatable(best, problem) or _enough(number, runs, looked)):
-            break
-        run = Run(problem, rule)
-        limits = control if best is None or more is None else more
-        draft = None if number and limits.ended() else run(limits.ended)
-        if draft is None:
-            return best, [TIME_IS_UP, *(late.reasons if late else ()), *failures]
-        looked += run.looked
-        if reasons := (
-            draft.reasons or terms_broken(problem, draft.robot_of) or away(problem, draft) or apart(problem, draft)
-        ):
-            failures.update(dict.fromkeys(reasons))
-        elif (missed := deadlines_missed(problem, draft)) is not None:
-            late = missed if late is None else min(late, missed)
-        elif best is None or draft.value < best.value:
-            best = draft
-        shown = None if best is None else seconds(best.makespan)
-        control.report(
-            Progress("scheduling", number + 1, int(best is not None), seconds(problem.bounds.makespan), shown)
-        )
-    return best, [*(late.reasons if late else ()), *failures]
-
-
-def _enough(number: int, runs: int, looked: int) -> bool:
-    """Whether so many runs, which looked at so many robots, are enough; time plays no part, so the answer is always the same."""
-    return number >= runs or (number >= MIN_RUNS and looked >= ROBOTS_PER_CALL)
-
-
-def _unbeatable(draft: Draft, problem: Problem) -> bool:
-    return draft.makespan == problem.bounds.makespan and draft.metres == 0

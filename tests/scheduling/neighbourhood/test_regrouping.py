@@ -15,12 +15,13 @@ from missiontree.checking import check
 from missiontree.mission.control import Control, Progress
 from missiontree.planner import plan_request
 from missiontree.scheduling.course import Course
-from missiontree.scheduling.greedy import best_of_runs, read_problem
+from missiontree.scheduling.greedy import read_problem
 from missiontree.scheduling.neighbourhood import search
 from missiontree.scheduling.neighbourhood.network import Network
 from missiontree.scheduling.neighbourhood.stops import stops_of
 from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.replay import replay
+from missiontree.scheduling.runs import best_of_runs
 
 PLAIN = frozenset({"travel", "joint", "links", "apart", "idle", "times", "comings"})
 """Features of which the longest paths know all there is."""

@@ -17,8 +17,9 @@ from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.scheduling.cpsat.improving import MANY_ROLES, Improving
 from missiontree.scheduling.cpsat.settings import Settings
-from missiontree.scheduling.greedy import MAX_RUNS, best_of_runs, read_problem
+from missiontree.scheduling.greedy import read_problem
 from missiontree.scheduling.problem import Problem
+from missiontree.scheduling.runs import MAX_RUNS, best_of_runs
 from missiontree.scheduling.writing import found_schedule, impossible_schedule
 
 GREEDY_SHARE = 0.2  # of the time, for greedy runs beyond the first that succeeds
