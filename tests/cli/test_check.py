@@ -6,10 +6,14 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
+from missiontree.briefing import request_from
 from missiontree.formats.document import write_text
 from missiontree.mission.certificate import Certificate
+from missiontree.mission.control import Control
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
+from missiontree.planner import author, plan_authored
+from missiontree.samples.catalogue import sample_file
 from tests.checking.plans import choices, reunite
 from tests.cli.running import Shell
 
@@ -34,7 +38,8 @@ def test_what_is_confirmed_needs_no_words(shell: Shell, tmp_path: Path) -> None:
 
 def test_what_is_taken_on_trust_is_named(shell: Shell, tmp_path: Path) -> None:
     """A schedule that enumeration proved is called optimal by another documented method: the checker cannot tell, and says so."""
-    plan = choices()
+    request = request_from(sample_file("harbour"))
+    plan = plan_authored(request, author(request), Control())
     tried = next(schedule for schedule in plan.schedules if schedule.certificate.method == "enumeration")
     file = written(called_optimal(plan, tried, "critical_path"), tmp_path)
     ran = shell("check", file)

@@ -16,7 +16,7 @@ PLACES = scene(p=4, q=-3)
 
 
 def two_places(deadline_s: float | None = None) -> Instance:
-    """Work at 4 and at -3, 1 s each, for one robot at 0: 12 s at least, and 10 m of travel, so that the bound is never met with no travel."""
+    """Work at 4 and at -3, 1 s each, for one robot at 0: 12 s at least, and 10 m of travel, so that further runs might find less."""
     made = mission([Part("p", "r", [work(1, at="p")]), Part("q", "r", [work(1, at="q")])])
     return made if deadline_s is None else made.timed(p_0=(0.0, deadline_s), q_0=(0.0, deadline_s))
 
@@ -51,7 +51,7 @@ def test_runs_that_find_nothing_better_end_early() -> None:
 
 
 def test_without_a_draft_runs_end_only_if_they_are_to_end_anyway() -> None:
-    """Both by 11 s: no bound denies it, and no order does it. Six runs are made if six are enough anyway, else as many as there are rules."""
+    """Both by 11 s: no bound denies it, and no order does it. Six runs are made if six are enough anyway, else as many as can be."""
     heard: list[Progress] = []
     runs = runs_of(two_places(11.0), heard)
     runs.go(6, anyway=True)
