@@ -12,7 +12,9 @@ import pytest
 HOW_TO = Path(__file__).parents[2] / "docs/how-to"
 RECHARGE = "let-robots-recharge.md"
 FRONT = "choose-between-best-staffed-and-fastest.md"
-NAMES = ("limit-a-team.md", "set-times.md", "share-a-lift.md", "send-robots-home.md", FRONT, "hand-over.md", RECHARGE)
+COMBINED = "combine-rules.md"
+SMALL = ("limit-a-team.md", "set-times.md", "share-a-lift.md", "send-robots-home.md", FRONT, "hand-over.md", RECHARGE)
+NAMES = (*SMALL, COMBINED)
 PAGES = {name: (HOW_TO / name).read_text(encoding="utf-8") for name in NAMES}
 FILES = {
     name: dict(re.findall(r"<!-- example: (\w+) -->\n```yaml\n(.*?)```", page, re.DOTALL))
@@ -39,5 +41,15 @@ def test_the_page_shows_what_is_printed(page: str, was: str, becomes: str, shown
 
 
 def test_the_pages_show_something() -> None:
-    assert [len(FILES[name]) for name in NAMES] == [4, 3, 4, 3, 3, 4, 4]
-    assert [sum(one[0] == name for one in SHOWN) for name in NAMES] == [6, 3, 2, 3, 2, 1, 2]
+    assert [len(FILES[name]) for name in NAMES] == [4, 3, 4, 3, 3, 4, 4, 4]
+    assert [sum(one[0] == name for one in SHOWN) for name in NAMES] == [6, 3, 2, 3, 2, 1, 2, 1]
+
+
+def test_what_more_room_would_bring_is_what_the_page_says(tmp_path: Path) -> None:
+    for name, text in FILES[COMBINED].items():
+        (tmp_path / f"{name}.yaml").write_text(text, encoding="utf-8")
+    (shown,) = re.findall(r"<!-- shown why -->\n```text\n(.*?)```", PAGES[COMBINED], re.DOTALL)
+    for words in (["plan", "mission.yaml", "--out", "plan.json"], ["show", "plan.json", "--why-so-long"]):
+        command = [sys.executable, "-m", "missiontree", *words]
+        done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, encoding="utf-8", check=False)
+    assert shown in done.stdout
