@@ -99,6 +99,9 @@ class Oracle:
         self.disturbed = False  # something comes between a giver and a taker: whether that can be is not decided here
         self._read_links()
         self.disturbed |= any(self._comes_between(giver, taker) for giver, taker in self.taker.items())
+        if self.taker:  # at the moment of a hand-over, orders do not tell who of several has what is shared
+            actions = map(self._action, self.leaves)
+            self.disturbed |= any(one.holds and not one.moves and not one.duration_s for one in actions)
         self.release = dict.fromkeys(self.leaves, 0)
         self.due: dict[int, int] = {}
         for index, node in enumerate(case.tree.nodes):

@@ -68,6 +68,15 @@ def test_a_type_that_has_left_is_a_proof() -> None:
     assert schedule(made, robots("r", 2, available_until_s=5)).status == "optimal"
 
 
+def test_who_leaves_too_early_for_the_second_of_two_is_named() -> None:
+    """Two roles of 10 s for one robot that stays for 15 s: nobody is held, and yet the second finds nobody. Each alone would be done."""
+    made = mission([Part("a", "r", [work(10)]), Part("b", "r", [work(10)])])
+    result = schedule(made, robots("r", available_until_s=15))
+    assert result.status == "infeasible"
+    (reason,) = {one for one in result.reasons if one.rule == "robot_away"}
+    assert reason.message == "'b.0' finds no robot that is there long enough: r-1 leaves at 15 s."
+
+
 def test_a_robot_that_leaves_before_it_comes_is_refused() -> None:
     with pytest.raises(ValueError, match="robot 'x' is available from 5 s until 4 s"):
         Robot(id="x", available_from_s=5, available_until_s=4)

@@ -240,3 +240,9 @@ def test_what_lasts_until_another_ends_does_not_make_way_for_it() -> None:
 def test_the_campaign_s_case_of_a_lift_given_up_at_one_moment_is_closed() -> None:
     """One robot in two roles one after the other, both ending where a third, which lasts until one of them ends, gives up the lift."""
     assert judge(11, 6662).violations == ()
+
+
+@pytest.mark.parametrize("number", [806, 856])
+def test_what_happens_at_one_moment_is_taken_alike_by_schedulers_and_checkers(number: int) -> None:
+    """A box that is moved on in no time just before joint work at it; something of no length at the moment of a hand-over."""
+    assert judge(202, number).violations == ()

@@ -69,15 +69,6 @@ class Haunts:
             self._starts[type_id] = frozenset(start_spot(self._case, robot) for robot in self._case.at_hand(type_id))
         return self._starts[type_id]
 
-    def _surely_before(self, first: int, second: int) -> bool:
-        """Whether order puts one action before another, or before or after one that is joint with it."""
-        joint, actions = self._timetable.staffing.joint, self._actions
-        groups = [
-            joint.get(sync, (leaf,)) if (sync := actions[leaf].sync) is not None else (leaf,)
-            for leaf in (first, second)
-        ]
-        return any(self._timetable.surely_before(one, other) for one in groups[0] for other in groups[1])
-
     def _find(self, entity: str, leaf: int, asking: tuple[tuple[str, int], ...]) -> frozenset[Spot]:
         """Where an entity may be when an action starts: at its start, or where a move not surely after it may have ended."""
         key = (entity, leaf)
@@ -85,7 +76,7 @@ class Haunts:
             return self._spots[key]
         if key in asking or len(asking) > MOST_MOVES:
             return ANYWHERE
-        before = self._surely_before
+        before = self._timetable.surely_before
         found: set[Spot] = {self._case.scene.spots.get(entity)}
         moves = [move for move in self._moves.get(entity, ()) if move != leaf]
         if moves and self._too_many:

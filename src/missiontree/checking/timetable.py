@@ -104,15 +104,25 @@ class Timetable:
         return held
 
     def surely_before(self, first: int, second: int) -> bool:
-        """Whether precedence and roles put one selected leaf before another."""
-        seen, stack = {first}, [first]
+        """Whether precedence and roles put one selected leaf before another; what is done jointly starts and ends together."""
+        seen, stack = set(self._together(first)), [*self._together(first)]
+        goals = {*self._together(second)}
         while stack:
             later = [node for node in self._after[stack.pop()] if node not in seen]
-            if second in later:
+            if goals.intersection(later):
                 return True
-            seen.update(later)
-            stack.extend(later)
+            for node in later:
+                group = self._together(node)
+                seen.update(group)
+                stack.extend(group)
         return False
+
+    def _together(self, node: int) -> tuple[int, ...]:
+        """A leaf and those that are joint with it; a gate alone."""
+        action = self.staffing.actions.get(node)
+        return (
+            (node,) if action is None or action.sync is None else tuple(self.staffing.joint.get(action.sync, (node,)))
+        )
 
     @cached_property
     def _after(self) -> dict[int, list[int]]:

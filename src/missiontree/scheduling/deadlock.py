@@ -13,13 +13,29 @@ def deadlock_reason(board: Board) -> Reason:
     waits = [activity for activity in range(len(board.graph.activities)) if activity not in board.placed]
     waits = [activity for activity in waits if not board.missing[2 * activity]] or waits
     first = board.graph.activities[waits[0]][0]
-    what = board.graph.name(first)
+    what, type_id = board.graph.name(first), board.graph.tree.action(first).robot_type
+    if not held and (leaving := _leaving(board, type_id)):
+        return Reason(
+            rule="robot_away",
+            message=f"{what!r} finds no robot that is there long enough: {', '.join(leaving[:4])}.",
+            node=what,
+            robot=type_id,
+            found=leaving[0],
+            hint="Let a robot stay longer (available_until_s), or add another.",
+        )
     who = ", ".join(f"{robot.id} in {roles[robot.role].label!r}" for robot in held[:4] if robot.role is not None)
     return Reason(
         rule="deadlock",
         message=f"{what!r} finds no robot"
         + (f" while {who} {'is' if len(held) == 1 else 'are'} held, waiting." if held else " that may do it."),
         node=what,
-        robot=board.graph.tree.action(first).robot_type,
+        robot=type_id,
         hint="Another robot of that type, or another order, may resolve it.",
     )
+
+
+def _leaving(board: Board, type_id: str) -> list[str]:
+    """Robots of a type that leave, each with when it does."""
+    kind = board.problem.fleet.by_id[type_id]
+    until = ((robot.id, kind.availability(robot)[1]) for robot in kind.members)
+    return [f"{name} leaves at {seconds:g} s" for name, seconds in until if seconds is not None]
