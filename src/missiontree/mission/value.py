@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 import re
+import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import NoneType, UnionType
@@ -142,7 +143,7 @@ def _constrained(base: Any, marks: tuple[Any, ...]) -> Freeze | None:
     types = (int,) if base is int else (float, int)
 
     def bounded(name: str, given: Any) -> Any:
-        if type(given) in types and low < given < math.inf:  # as nearly all are
+        if type(given) in types and low < given <= sys.float_info.max:  # as nearly all are
             return given
         plain(name, given)
         if given < low or (given == low and not inclusive):
