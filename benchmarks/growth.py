@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 from math import exp, log
 from pathlib import Path
 
@@ -109,11 +110,10 @@ def fitted(series: Series, points: Sequence[Point]) -> tuple[float, float] | Non
     """
     Exponent and factor of seconds = factor * size ** exponent, by least squares over logarithms; None for fewer than three points.
 
-    Measurements that ended at the limit do not count.
+    Where one ended at the limit, only those of smaller sizes count: what is quick again beyond it is another kind of problem.
     """
-    known = [
-        (log(p.size), log(p.seconds)) for p in points if p.proven and p.size >= series.fitted_from and p.seconds > 0
-    ]
+    measured = [p for p in points if p.size >= series.fitted_from and p.seconds > 0]
+    known = [(log(p.size), log(p.seconds)) for p in takewhile(lambda p: p.proven, measured)]
     if len(known) < 3:
         return None
     mean_x, mean_y = (sum(column) / len(known) for column in zip(*known, strict=True))

@@ -22,7 +22,7 @@ KEYS, ROW, NOTE = (
 )  # below the panels: to the first line of the key, from one to the next, before the last line
 POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 MARK = 3.5
-UNPROVEN = "Hollow: the limit was reached before the proof; such points count for no exponent."
+UNPROVEN = "Hollow: the limit was reached before the proof; no exponent is fitted from there on."
 
 
 @dataclass(frozen=True, slots=True)

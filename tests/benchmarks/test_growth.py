@@ -29,6 +29,9 @@ def test_what_ended_at_the_limit_and_what_is_too_small_does_not_count() -> None:
     points = [Point(1, 50.0, True), *measured((2e-3, 2.0, 2e3)), Point(10_000, 60.0, False)]
     assert fitted(CUBIC, points) == pytest.approx((3.0, 2e-6))
     assert fitted(CUBIC, points[:3]) is None
+    assert fitted(CUBIC, [*points, Point(100_000, 0.1, True)]) == pytest.approx(
+        (3.0, 2e-6)
+    )  # quick again: another kind of problem
 
 
 def test_every_series_grows_from_one_end_of_the_promise_to_the_other() -> None:

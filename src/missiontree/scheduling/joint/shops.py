@@ -11,6 +11,9 @@ from missiontree.scheduling.joint.kernel.shop import BEST, SINCE, Shop, State
 from missiontree.scheduling.joint.listing import Listed
 from missiontree.scheduling.joint.problem import JointProblem
 
+USUAL = 10_000
+"""Pairs of actions on a machine up to which a move takes no longer than the slices of moves are made for."""
+
 
 @dataclass
 class Workshop:
@@ -55,13 +58,18 @@ class Workshop:
 
     def improved(self, target: int, ended: Callable[[bool], bool]) -> None:
         """Search until the best reaches the target or ``ended``, told now and then whether there is a new best, answers true."""
-        best = int(self.state.numbers[BEST])
+        best, moves = int(self.state.numbers[BEST]), self._moves_at_once()
         better = True
         while not ended(better):
-            now = int(self.engine.improve(self.shop, self.state, self.engine.slice, target))
+            now = int(self.engine.improve(self.shop, self.state, moves, target))
             better, best = now < best, now
             if best <= target:
                 return
+
+    def _moves_at_once(self) -> int:
+        """Moves between two looks at the clock: a move looks, for each action of a longest path, at all others of its machines."""
+        on_each = len(self.state.way) // max(1, len(self.state.first)) + 1
+        return max(1, min(self.engine.slice, self.engine.slice * USUAL // (on_each * on_each)))
 
     def best(self) -> Listed:
         """The best schedule ever."""
