@@ -154,6 +154,16 @@ class Oracle:
 
     def _comes_between(self, giver: int, taker: int) -> bool:
         """Whether something of no length must follow a giver and be over before its taker begins, all at one moment."""
+        after = self._after()
+        follow = self._reached(self.units[giver], after) - {*self.units[giver], *self.units[taker]}
+        return any(
+            (self._action(leaf).moves or not self._action(leaf).duration_s)
+            and self._reached([leaf], after) & {*self.units[taker]}
+            for leaf in follow
+        )
+
+    def _after(self) -> dict[int, set[int]]:
+        """What comes right after each action, in its role and by order."""
         after: dict[int, set[int]] = {leaf: set() for leaf in self.leaves}
         for own in self.roles.values():
             for leaf, later in pairwise(own):
@@ -161,12 +171,7 @@ class Oracle:
         for leaf, earlier in self.before.items():
             for one in earlier:
                 after[one].add(leaf)
-        follow = self._reached(self.units[giver], after) - {*self.units[giver], *self.units[taker]}
-        return any(
-            (self._action(leaf).moves or not self._action(leaf).duration_s)
-            and self._reached([leaf], after) & {*self.units[taker]}
-            for leaf in follow
-        )
+        return after
 
     def _reached(self, leaves: Iterable[int], after: Mapping[int, set[int]]) -> set[int]:
         seen, stack = set[int](), [*leaves]
@@ -238,13 +243,7 @@ class Oracle:
 
     def _rests(self) -> dict[int, int]:
         """For each action, how long those after it take at least, one after the other; moves may take no time."""
-        after: dict[int, set[int]] = {leaf: set() for leaf in self.leaves}
-        for own in self.roles.values():
-            for leaf, later in pairwise(own):
-                after[leaf].add(later)
-        for leaf, earlier in self.before.items():
-            for one in earlier:
-                after[one].add(leaf)
+        after = self._after()
         least = self.lasts = {
             leaf: 0 if leaf in self.until or self._action(leaf).moves else _ms(self._action(leaf).duration_s)
             for leaf in self.leaves
