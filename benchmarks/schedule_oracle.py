@@ -72,14 +72,15 @@ class Oracle:
 
     def __init__(self, case: ScheduleCase) -> None:
         self.case, self.tree, self.fleet = case, case.tree, case.fleet
-        self.leaves = [index for index, node in enumerate(case.tree.nodes) if node.action is not None]
+        self.actions = {index: node.action for index, node in enumerate(case.tree.nodes) if node.action is not None}
+        self.leaves = [*self.actions]
         self.roles: dict[int, list[int]] = {}
         for leaf in self.leaves:
-            self.roles.setdefault(self._action(leaf).role, []).append(leaf)
+            self.roles.setdefault(self.actions[leaf].role, []).append(leaf)
         self.units: list[list[int]] = []
         joint: dict[int, list[int]] = {}
         for leaf in self.leaves:
-            sync = self._action(leaf).sync
+            sync = self.actions[leaf].sync
             if sync is None:
                 self.units.append([leaf])
             elif sync in joint:
@@ -95,12 +96,14 @@ class Oracle:
         self.widest = max(map(len, self.units), default=1)
         self.steps = 0
         self.taker: dict[int, int] = {}  # by unit that hands over: the unit that takes over
+        self.follow: list[set[int]] = []  # by unit: what must come after it, whoever has what is shared
+        self.over_first: dict[int, set[int]] = {}  # what must be over before each action, but for who hands over to it
         self.unfit = False
         self.disturbed = False  # something comes between a giver and a taker: whether that can be is not decided here
         self._read_links()
         self.disturbed |= any(self._comes_between(giver, taker) for giver, taker in self.taker.items())
         if self.taker:  # at the moment of a hand-over, orders do not tell who of several has what is shared
-            actions = map(self._action, self.leaves)
+            actions = self.actions.values()
             self.disturbed |= any(one.holds and not one.moves and not one.duration_s for one in actions)
         self.release = dict.fromkeys(self.leaves, 0)
         self.due: dict[int, int] = {}
@@ -113,13 +116,13 @@ class Oracle:
     def _read_links(self) -> None:
         for link in self.case.tree.links:
             first, second = self._below(link.first), self._below(link.second)
-            roles = [{self._action(leaf).role for leaf in side} for side in (first, second)]
+            roles = [{self.actions[leaf].role for leaf in side} for side in (first, second)]
             if link.kind == "precedence":
                 for leaf in second:
                     self.before[leaf] |= set(first)
             elif link.kind == "until":
                 for leaf in first:
-                    if self._action(leaf).open_ended:
+                    if self.actions[leaf].open_ended:
                         self.until.setdefault(leaf, set()).update(second)
             elif link.kind == "hand_over":
                 self.different.append((roles[0], roles[1]))
@@ -140,13 +143,13 @@ class Oracle:
             for own in self.roles.values()
         )
         giver, taker = min(ends), min(starts)
-        given = [self._action(leaf) for leaf in self.units[giver]]
-        taken = [self._action(leaf) for leaf in self.units[taker]]
+        given = [self.actions[leaf] for leaf in self.units[giver]]
+        taken = [self.actions[leaf] for leaf in self.units[taker]]
         there = [self._left_at(one.role) for one in given]
         meet = all(two.at is not None and two.at in places for places in there for two in taken)
         names = {two.at for two in taken}.union(*there)
         own_roles = {one.role for one in (*given, *taken)}
-        others = [self._action(leaf) for leaf in self.leaves if self._action(leaf).role not in own_roles]
+        others = [self.actions[leaf] for leaf in self.leaves if self.actions[leaf].role not in own_roles]
         self.disturbed |= any(names & {*other.brings} for other in others)
         sound = len(ends) == len(starts) == 1 and giver != taker and whole and self.taker.get(giver, taker) == taker
         self.unfit |= not (sound and meet) or any(one.open_ended for one in given) or any(two.moves for two in taken)
@@ -157,7 +160,7 @@ class Oracle:
         after = self._after()
         follow = self._reached(self.units[giver], after) - {*self.units[giver], *self.units[taker]}
         return any(
-            (self._action(leaf).moves or not self._action(leaf).duration_s)
+            (self.actions[leaf].moves or not self.actions[leaf].duration_s)
             and self._reached([leaf], after) & {*self.units[taker]}
             for leaf in follow
         )
@@ -184,7 +187,7 @@ class Oracle:
     def _left_at(self, role: int) -> set[str | None]:
         """Where a role ends, and what it brought there."""
         here: set[str | None] = set()
-        for action in (self._action(leaf) for leaf in self.roles[role]):
+        for action in (self.actions[leaf] for leaf in self.roles[role]):
             if action.moves or (action.at is not None and action.at not in here):
                 here = {action.at, *action.brings}
         return here
@@ -198,7 +201,8 @@ class Oracle:
             return None
         if self.disturbed:
             raise TooMuchError
-        plain = self.before
+        plain, after = self.before, self._after()
+        self.follow = [self._reached(unit, after) for unit in self.units]
         for chains in product(*(self._passings(resource) for resource in self.case.scene.resources)):
             self.before = {leaf: set(earlier) for leaf, earlier in plain.items()}
             for earlier, later in (pair for pairs in chains for pair in pairs):
@@ -210,7 +214,7 @@ class Oracle:
     def _passings(self, resource: SharedResource) -> list[tuple[tuple[int, int], ...]]:
         """All ways in which units pass on the places of a resource: pairs of units that come one after the other."""
         asks = {
-            number: sum(resource.id in self._action(leaf).holds for leaf in unit)
+            number: sum(resource.id in self.actions[leaf].holds for leaf in unit)
             for number, unit in enumerate(self.units)
         }
         holders = [number for number, asked in asks.items() if asked]
@@ -230,10 +234,11 @@ class Oracle:
                     for passed in [frozenset((places[place], one) for place in taken if places[place] >= 0)]
                 ]
             found |= dict.fromkeys(tuple(sorted(pairs)) for _, pairs in ways)
-        return list(found)
+        return [pairs for pairs in found if not any(self.follow[later] & {*self.units[one]} for one, later in pairs)]
 
     def _try(self) -> None:
         self.rest = self._rests()
+        self.over_first = {leaf: self._over_first(leaf) for leaf in self.leaves}
         own_ends = [sorted(self._own_ends(leaf)) for leaf in sorted(self.until)]
         for chosen in product(*own_ends):
             latest: dict[int, list[int]] = {}
@@ -245,7 +250,7 @@ class Oracle:
         """For each action, how long those after it take at least, one after the other; moves may take no time."""
         after = self._after()
         least = self.lasts = {
-            leaf: 0 if leaf in self.until or self._action(leaf).moves else _ms(self._action(leaf).duration_s)
+            leaf: 0 if leaf in self.until or self.actions[leaf].moves else _ms(self.actions[leaf].duration_s)
             for leaf in self.leaves
         }
         rest = dict.fromkeys(self.leaves, 0)
@@ -262,9 +267,6 @@ class Oracle:
             seen |= fresh
             stack += fresh
         return {one for one in seen if one not in self.until}
-
-    def _action(self, leaf: int) -> Action:
-        return self.tree.action(leaf)
 
     def _below(self, node: int) -> list[int]:
         found = []
@@ -312,38 +314,38 @@ class Oracle:
                 self._go_on(after, latest, 0 if self.until else start)
 
     def _may_begin(self, world: _World, unit: list[int], latest: dict[int, list[int]]) -> bool:
-        moved = {name for leaf in unit for name in self._action(leaf).brings}
-        touched = moved | {self._action(leaf).at for leaf in unit}
-        for giver, taker in self.taker.items():
-            begun = self.units[giver][0] in world.start
-            brought = {name for leaf in self.units[giver] for name in self._action(leaf).brings}
-            if self.units[taker] == unit and not begun:
-                return False
-            waits = begun and self.units[taker][0] not in world.start
-            there = {self._action(leaf).at for leaf in self.units[giver]}
-            if self.units[taker] != unit and waits and (brought & touched or there & moved):
-                return False
         for leaf in unit:
-            own = self.roles[self._action(leaf).role]
-            earlier = own[own.index(leaf) - 1] if own.index(leaf) else None
-            if earlier is not None and earlier not in world.end:
-                return False
-            if any(one not in world.end for one in self._others_before(leaf)):
+            if not (self.over_first[leaf] <= world.end.keys()):
                 return False
             if any(one not in world.start for one in latest.get(leaf, ())):
                 return False
+        return not self.taker or self._may_come_between(world, unit)
+
+    def _may_come_between(self, world: _World, unit: list[int]) -> bool:
+        """Whether a unit leaves alone what is being handed over."""
+        moved = {name for leaf in unit for name in self.actions[leaf].brings}
+        touched = moved | {self.actions[leaf].at for leaf in unit}
+        for giver, taker in self.taker.items():
+            begun = self.units[giver][0] in world.start
+            brought = {name for leaf in self.units[giver] for name in self.actions[leaf].brings}
+            if self.units[taker] == unit and not begun:
+                return False
+            waits = begun and self.units[taker][0] not in world.start
+            there = {self.actions[leaf].at for leaf in self.units[giver]}
+            if self.units[taker] != unit and waits and (brought & touched or there & moved):
+                return False
         return True
 
-    def _others_before(self, leaf: int) -> set[int]:
-        """What must be over before an action, but for those who hand over to it."""
+    def _over_first(self, leaf: int) -> set[int]:
         givers = (self.units[giver] for giver, taker in self.taker.items() if leaf in self.units[taker])
-        return self.before[leaf].difference(*givers)
+        own = self.roles[self.actions[leaf].role]
+        return self.before[leaf].difference(*givers) | {*own[: own.index(leaf)][-1:]}
 
     def _staffings(self, world: _World, unit: list[int]) -> Iterator[dict[int, str]]:
         """Robots by role, for all roles of a unit."""
         options = []
         for leaf in unit:
-            action = self._action(leaf)
+            action = self.actions[leaf]
             if action.role in world.robot_of:
                 robots = [world.robot_of[action.role]]
                 if world.held.get(robots[0]) not in (None, action.role):
@@ -408,7 +410,7 @@ class Oracle:
             return None
         after = world.copy()
         for leaf in unit:
-            action = self._action(leaf)
+            action = self.actions[leaf]
             robot = robots[action.role]
             if not self._spend(after, robot, action.uses, ways[leaf][1]):
                 return None
@@ -437,7 +439,7 @@ class Oracle:
                 begins = max([soonest, self.release[leaf], *(world.end.get(one, 0) for one in self.before[leaf])])
                 if begins + self.lasts[leaf] + self.rest[leaf] >= self.best:
                     return True
-                type_id = self._action(leaf).robot_type
+                type_id = self.actions[leaf].robot_type
                 left[type_id] = left.get(type_id, 0) + self.lasts[leaf]
         for type_id, work in left.items():
             members = self.fleet.by_id[type_id].members
@@ -456,14 +458,14 @@ class Oracle:
         self, world: _World, unit: list[int], robots: dict[int, str], latest: dict[int, list[int]]
     ) -> tuple[int, int, dict[int, tuple[int, float]]]:
         """Start and length in milliseconds, and the ways."""
-        actions = {leaf: self._action(leaf) for leaf in unit}
+        actions = {leaf: self.actions[leaf] for leaf in unit}
         start, length = 0, 0
         ways: dict[int, tuple[int, float]] = {}
         for leaf, action in actions.items():
             robot = robots[action.role]
             ways[leaf] = self._way(world, robot, action)
             start = max(
-                [start, self.release[leaf], world.free[robot], *(world.end[one] for one in self._others_before(leaf))]
+                [start, self.release[leaf], world.free[robot], *(world.end[one] for one in self.over_first[leaf])]
             )
             if action.moves:
                 length = max(length, ways[leaf][0])
@@ -487,7 +489,7 @@ class Oracle:
 
     def _move(self, world: _World, unit: list[int], robots: dict[int, str], start: int, end: int) -> None:
         """Robots and things are elsewhere afterwards."""
-        actions = [self._action(leaf) for leaf in unit]
+        actions = [self.actions[leaf] for leaf in unit]
         targets = [None if action.at is None else world.thing[action.at] for action in actions]
         for action, target in zip(actions, targets, strict=True):
             if action.at is not None:
@@ -501,7 +503,7 @@ class Oracle:
         """Who hands over is there until the taker starts, and so is what it brings."""
         for leaf in giver:
             self._over(world, leaf, moment)
-            action = self._action(leaf)
+            action = self.actions[leaf]
             if action.at is not None:
                 world.needed[action.at] = max(world.needed.get(action.at, 0), moment)
             for name in action.brings:
@@ -518,7 +520,7 @@ class Oracle:
                     changed = True
 
     def _over(self, world: _World, leaf: int, end: int) -> None:
-        action = self._action(leaf)
+        action = self.actions[leaf]
         robot = world.robot_of[action.role]
         world.end[leaf] = end
         world.free[robot] = max(world.free[robot], end)
