@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 from missiontree.mission.control import never
 from missiontree.scheduling.course import Course, passings
+from missiontree.scheduling.cpsat.between import keep_between_free
 from missiontree.scheduling.cpsat.crew import Crew, crews, uses_of
 from missiontree.scheduling.cpsat.heads import Spans, add_heads
 from missiontree.scheduling.cpsat.model import FAR, Affine, Linear, Model, negated
@@ -79,6 +80,12 @@ class Formulation:
     def minimise_makespan(self) -> None:
         """The first thing that counts."""
         self.model.objective = ((1, self.times.makespan),)
+
+    def keep_between_free(self) -> bool:
+        """From now on, nothing stands between the sides of a hand-over (see :mod:`between`); False if the model is no other for it."""
+        before = len(self.model.constraints)
+        keep_between_free(self.model, self.problem, self.times, self.ordering, self.tours)
+        return len(self.model.constraints) > before
 
     def minimise_travel(self, makespan: int) -> bool:
         """The second, with the makespan kept; False if there is nothing to gain."""

@@ -171,7 +171,8 @@ class Improving:
         found = self._search(formulation.model, SHARE, self._heard)
         if found.bound is not None and found.bound <= self._horizon():
             self._bound = max(self._bound, found.bound)
-        self._take(formulation, found)
+        if not self._take(formulation, found) and formulation.keep_between_free():
+            self._take(formulation, self._search(formulation.model, SHARE))
         if found.verdict == "infeasible" and self._best is None:
             self._impossible = True
             return True
@@ -189,14 +190,17 @@ class Improving:
         hint(formulation, self._best)
         self._take(formulation, self._search(formulation.model, 1.0))
 
-    def _take(self, formulation: Formulation, found: Found) -> None:
-        """Make an answer the best draft, if it is a schedule by our own means and better."""
-        if not found.values or any(broken(formulation.model, found.values)):
-            return
+    def _take(self, formulation: Formulation, found: Found) -> bool:
+        """Make an answer the best draft, if it is a schedule by our own means and better; False if it is none."""
+        if not found.values:
+            return True
+        if any(broken(formulation.model, found.values)):
+            return False
         draft = replay(self._problem, formulation.course(found.values))
         if draft is not None and (self._best is None or draft.value < self._best.value):
             self._best = draft
             self._say(draft)
+        return draft is not None
 
     def _heard(self, found: Found) -> None:
         best = self._best.makespan if self._best is not None else None

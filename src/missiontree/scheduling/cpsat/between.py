@@ -1,0 +1,68 @@
+"""
+Nothing comes between a hand-over's two sides: the giver ends when the taker starts, and both are one moment.
+
+An activity that takes no time could else stand there, after the giver for one reason and before the taker for another. Times do not
+speak against it, but no order of events has it so, and schedules are made from orders. Kept out, it is over when the giver starts, or
+starts when the taker is over. That is stricter than the rules of schedules: nothing but answers may be taken from a model that keeps it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from missiontree.scheduling.cpsat.model import Model, negated
+from missiontree.scheduling.cpsat.ordering import Ordering
+from missiontree.scheduling.cpsat.times import Times
+from missiontree.scheduling.cpsat.tours import Tours
+from missiontree.scheduling.problem import Problem
+
+
+def keep_between_free(model: Model, problem: Problem, times: Times, ordering: Ordering, tours: Sequence[Tours]) -> None:
+    """
+    Keep what takes no time out of every hand-over.
+
+    Reasons to come after a giver or before a taker are a resource without room for both, one robot for both, an order that is certain, or
+    that a robot does the one role right after the other. Longer chains of activities without length are left out.
+    """
+    rivals = {frozenset(pair) for name in problem.sharing.capacity for pair in problem.sharing.rivals(name)}
+    instants = [one for one in range(len(times.start)) if not problem.bounds.duration[one]]
+    for giver, taker in sorted(problem.hand_overs.taker.items()):
+        for one in instants:
+            if one in (giver, taker):
+                continue
+            after_giver, before_taker = (
+                frozenset((one, side)) in rivals or _one_robot(problem, one, side) for side in (giver, taker)
+            )
+            if after_giver and before_taker:
+                first = model.boolean()
+                model.at_least(times.start[giver], times.end[one], when=(first,))
+                model.at_least(times.start[one], times.end[taker], when=(negated(first),))
+            elif after_giver:
+                for literal in _reasons(model, problem, ordering, tours, one, taker):
+                    model.at_least(times.start[giver], times.end[one], when=(literal,))
+            elif before_taker:
+                for literal in _reasons(model, problem, ordering, tours, giver, one):
+                    model.at_least(times.start[one], times.end[taker], when=(literal,))
+
+
+def _one_robot(problem: Problem, one: int, other: int) -> bool:
+    """Whether one robot does both, whoever it is."""
+    group_of = problem.staffing.group_of
+    mine, its = ({group_of[role] for role in _roles(problem, activity)} for activity in (one, other))
+    return bool(mine & its)
+
+
+def _roles(problem: Problem, activity: int) -> set[int]:
+    return {problem.graph.tree.action(leaf).role for leaf in problem.graph.activities[activity]}
+
+
+def _reasons(
+    model: Model, problem: Problem, ordering: Ordering, tours: Sequence[Tours], first: int, second: int
+) -> Iterator[int]:
+    """Literals that each make one activity come before another."""
+    if ordering.certain(first, second):
+        yield model.true
+    mine, its = _roles(problem, first), _roles(problem, second)
+    for one in tours:
+        nodes = [{one.node(role) for role in one.crew.roles if role in side} for side in (mine, its)]
+        yield from (literal for (tail, head), literal in one.arcs.items() if tail in nodes[0] and head in nodes[1])
