@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import pytest
 from hypothesis import given, settings
 
 from benchmarks.random_trees import Case
 from benchmarks.tied_budget import tied_mission
+from missiontree.allocation import searched
 from missiontree.allocation.compiled import PLAIN
 from missiontree.allocation.core import Core, core_of
 from missiontree.allocation.exhaustive import every_selection
@@ -79,6 +80,37 @@ def test_prices_close_the_gap_where_there_is_none() -> None:
     # 3 + 7 * 0.9, which a price of 0.1 proves.
     assert search.price() == 9_300_000
     assert search.true_prices(problem.purses) == [pytest.approx(100_000, rel=0.05)]
+
+
+@settings(max_examples=60)
+@given(cases())
+def test_prices_sought_a_step_at_a_time_are_the_same(case: Case) -> None:
+    problem = boiled(case.tree, case.fleet, case.weights)
+    if problem is None or not problem.purses.names:
+        return
+    whole, pieces = problem.searched(), problem.searched()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setitem(searched.PRICED_IN_ONE_GO, False, 1)
+        bound = pieces.price()
+    assert (bound, pieces.prices) == (whole.price(), whole.prices)
+
+
+def test_nobody_waits_longer_for_prices_than_it_takes_to_look_at_so_many_parts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """After the word to stop, which falls between two pieces of three steps each, no further piece is begun."""
+    tree, fleet = tied_mission(10, {"a": 3})
+    problem = boiled(tree, fleet)
+    assert problem is not None
+    monkeypatch.setitem(searched.PRICED_IN_ONE_GO, False, 3 * len(problem.core))
+    search, steps, asked = problem.searched(), list[int](), iter([False, False, True, True, True])
+    lower = search.engine.lower
+
+    def counted(*given: object) -> tuple[int, int]:
+        steps.append(given[2])  # type: ignore[arg-type]
+        return lower(*given)
+
+    search.engine = replace(search.engine, lower=counted)
+    search.price(ended=lambda: next(asked))
+    assert steps == [3, 3]
 
 
 @settings(max_examples=150)

@@ -29,7 +29,8 @@ FEWEST_KEPT_BY_PRUNING, MOST_KEPT_BY_PRUNING = 8, 32
 SMALL_PRUNING = 200_000  # nodes times ways kept that are worth pruning even when time is up
 PAIRED_TIES = 20  # ways two exchanges away, beyond twice those wanted, that are taken up
 SEEDS = 4  # ways whose neighbours are looked at
-SMALL_CORE = 5_000  # parts that are worth looking around in even when time is up
+SMALL_CORE = 5_000  # parts of which first ways are tried one by one, and pairs of exchanges
+HURRIED_CORE = 1_000  # parts that are worth looking around in even when time is up
 REFEREED = 400  # decisions of the referee asked for by neighbours
 
 
@@ -165,16 +166,18 @@ def start(
     if known is not None and pool.offer(core.taken(known)) is not None:
         found.append((core.way_under(len(core) - 1, known)[1], known))
     for options in chain((advised,), careful):
-        if found and (control.ended() or len(core) > SMALL_CORE):
-            break
         way = repaired(core, purses, options)
         if way is not None:
             way = improved(core, purses, way, options, control.ended)
             found.append((core.way_under(len(core) - 1, way)[1], way))
             pool.offer(core.taken(way))
+        if found and (control.ended() or len(core) > SMALL_CORE):
+            break
     found.sort(key=lambda entry: -entry[0])
     if found and len(core) <= SMALL_CORE and not control.ended():
         for way in near_pairs(core, purses, found[0][1], advised, prices, 2 * pool.k + PAIRED_TIES):
+            if control.ended():
+                break
             pool.offer(core.taken(way))
     return [way for _, way in found]
 
@@ -209,7 +212,7 @@ def look_around(
     asked = 0
 
     def late() -> bool:
-        return control.ended() and (pool.kth is not None or len(core) > SMALL_CORE)
+        return control.ended() and (pool.kth is not None or len(core) > HURRIED_CORE)
 
     for _ in range(2):
         found: list[Way] = []

@@ -20,12 +20,15 @@ from missiontree.allocation.core import Core, Way, narrowed
 from missiontree.allocation.kernel.columns import (
     CHAIN,
     DEPTH,
+    DESCENTS,
     FEW,
     FEW_PURSES,
     MARGIN,
     NEG,
     NODES,
+    NUMBERS,
     PICK,
+    SETTLED,
     SUM,
     TRAIL,
     Room,
@@ -40,6 +43,9 @@ LIMIT_BITS = 20
 REMEMBERED = 4096
 LEVELS = 64  # each holds three quarters of the one before at most
 ROOT_STEPS = 60
+PRICED_IN_ONE_GO = {True: 3_000_000, False: 15_000}  # parts looked at by prices before the next look at the clock
+DESCENT = 4
+QUICKLY_DESCENDED = 1_000  # parts
 HURRIED_STEPS = 3  # where time is up before any price is known
 AIMS = (0.02, 0.006, 0.002, 0.0006, 0.0002, 0.00006, 0.005, 0.001, 0.0002, 0.00004)
 
@@ -114,15 +120,21 @@ class Searched:
         self.tree = _tree(core, purses, rank, engine, scale)
         self.room = _room(self.tree, engine, prices, deep)
         self.room.numbers[MARGIN] = scale.factor // 2
+        quick = engine.fast or len(core) <= QUICKLY_DESCENDED
+        self.room.numbers[DESCENTS] = DESCENT if quick else 0  # nothing can interrupt them
         self._whole = -NEG
 
     def price(self, steps: int = ROOT_STEPS, ended: Callable[[], bool] = never) -> int:
         """Look for good prices of the whole, until somebody says stop; the bound they prove, in millionths."""
         self.engine.reach(self.tree, self.room)
         bound = -NEG
+        at_once = max(1, PRICED_IN_ONE_GO[self.engine.fast] // len(self.core))
         for aim in AIMS:
-            taken = min(steps, HURRIED_STEPS) if ended() else steps
-            bound = min(bound, self.engine.lower(self.tree, self.room, taken, NEG, aim)[0])
+            done = 0
+            while not done or (done < steps and not self.room.numbers[SETTLED] and not ended()):
+                taken = min(at_once, steps - done, HURRIED_STEPS if ended() else steps)
+                bound = min(bound, self.engine.lower(self.tree, self.room, taken, NEG, aim, done > 0)[0])
+                done += taken
             if ended():
                 break
         return self.scale.down(int(bound))
@@ -342,5 +354,5 @@ def _room(tree: Tree, engine: Engine, prices: Sequence[int], deep: bool) -> Room
         end_most=blank((FEW + 1) * FEW_PURSES),
         trail=blank(edges + 1),
         remembered=blank(REMEMBERED, -1),
-        numbers=blank(13),
+        numbers=blank(NUMBERS),
     )

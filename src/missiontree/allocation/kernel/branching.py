@@ -240,7 +240,7 @@ def branch(tree: Tree, room: Room, target: int, steps: int, in_order: bool, node
             if in_order and not starve(tree, room):
                 numbers[PHASE] = BACKTRACK
                 continue
-            bound, found = lower(tree, room, steps, target, 0.0)
+            bound, found = lower(tree, room, steps, target, 0.0, False)
             numbers[BOUND] = bound
             if bound < target:
                 numbers[PHASE] = BACKTRACK

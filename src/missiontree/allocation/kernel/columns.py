@@ -10,6 +10,9 @@ HALF_NEG = -(1 << 61)
 
 # Places in Room.numbers, which survives from one call to the next.
 PHASE, DEPTH, NODES, TRAIL, ACTIVE, BOUND, CANDIDATE, MARGIN, TOUCHED, TOPS, BASE, LEVEL, BEST_MENDED = range(13)
+LOWEST, FOUND, HALVINGS, IDLE, FRESH, SETTLED = range(13, 19)  # where the search for prices stands
+DESCENTS = 19  # passes of pairs after each way that keeps the purses, in :mod:`oscillating`
+NUMBERS = 20
 EVALUATE, SHRINK, BACKTRACK = 0, 1, 2
 FINISHED, MET, LAST, PAUSED = 0, 1, 2, 3
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from missiontree.allocation.kernel.columns import BEST_MENDED, MARGIN, NEG, Room, Tree
+from missiontree.allocation.kernel.columns import BEST_MENDED, DESCENTS, MARGIN, NEG, Room, Tree
 from missiontree.allocation.kernel.mending import exchange
 from missiontree.allocation.kernel.pairing import pair_up
 from missiontree.allocation.kernel.pricing import fits, follow, reach, sweep, tell
-
-DESCENT = 4  # passes of pairs after each way that keeps the purses
 
 
 def mend(tree: Tree, room: Room, passes: int, fresh: bool) -> int:
@@ -33,7 +31,7 @@ def mend(tree: Tree, room: Room, passes: int, fresh: bool) -> int:
         changed = exchange(tree, room)
         earned = follow(tree, room)
         if fits(tree, room):
-            for _ in range(DESCENT):
+            for _ in range(room.numbers[DESCENTS]):
                 if pair_up(tree, room) == 0:
                     break
             earned = follow(tree, room)

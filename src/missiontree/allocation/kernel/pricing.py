@@ -5,11 +5,17 @@ from __future__ import annotations
 from missiontree.allocation.kernel.columns import (
     ACTIVE,
     BASE,
+    FOUND,
+    FRESH,
     HALF_NEG,
+    HALVINGS,
+    IDLE,
     LEVEL,
+    LOWEST,
     MARGIN,
     NEG,
     PICK,
+    SETTLED,
     TOPS,
     TRAIL,
     Room,
@@ -17,6 +23,7 @@ from missiontree.allocation.kernel.columns import (
 )
 
 DRIFT_BITS = 20  # behind the point of a purse's drift
+MOST_HALVINGS = 6
 ROOT_IDLE = 10  # steps without progress before strides are halved, where there is no target; elsewhere 3
 KEPT = 4  # eighths of the drift that each step keeps
 
@@ -213,22 +220,32 @@ def tell(tree: Tree, room: Room) -> None:
         room.candidate[room.way[place]] = room.taken[room.way[place]]
 
 
-def lower(tree: Tree, room: Room, steps: int, target: int, aim: float) -> tuple[int, int]:
+def begin(room: Room) -> None:
+    """Nothing is known yet but the prices to start from."""
+    numbers = room.numbers
+    for purse in range(len(room.prices)):
+        room.trial[purse] = room.prices[purse]
+    numbers[LOWEST], numbers[FOUND] = -NEG, NEG
+    numbers[HALVINGS], numbers[IDLE], numbers[FRESH] = 0, 0, 1
+
+
+def lower(tree: Tree, room: Room, steps: int, target: int, aim: float, again: bool) -> tuple[int, int]:
     """
     Look for prices with a low bound, by subgradient steps (Polyak, "Minimization of unsmooth functionals", 1969).
 
-    Starts from ``prices`` and leaves the best there. A step aims a margin below the target, or, if ``aim`` is above 0, at that share of
-    the bound below it; it goes along what is lacking in the purses, smoothed over the last steps. Below the target it
-    stops. Returns the best bound, and the scaled utility of the best way met that keeps the purses, which becomes the candidate;
-    ``NEG`` if there is none.
+    Starts from ``prices`` and leaves the best there; ``again``, it goes on where it stopped. A step aims a margin below the target, or,
+    if ``aim`` is above 0, at that share of the bound below it; it goes along what is lacking in the purses, smoothed over the last
+    steps. Below the target it stops. Returns the best bound, and the scaled utility of the best way met that keeps the purses, which
+    becomes the candidate; ``NEG`` if there is none. More steps are of use unless ``numbers`` say that it is settled.
     """
     limits, caps, prices, trial, used = tree.limits, tree.caps, room.prices, room.trial, room.used
     drift = room.drift
-    purses = len(limits)
-    for purse in range(purses):
-        trial[purse] = prices[purse]
-    best, found = -NEG, NEG
-    stride, idle, fresh = 1.0, 0, True
+    purses, numbers = len(limits), room.numbers
+    if not again:
+        begin(room)
+    best, found = numbers[LOWEST], numbers[FOUND]
+    halvings, idle, fresh = numbers[HALVINGS], numbers[IDLE], numbers[FRESH] == 1
+    numbers[SETTLED] = 1
     for _ in range(steps):
         top = sweep(tree, room, trial)
         if top < HALF_NEG:
@@ -248,9 +265,9 @@ def lower(tree: Tree, room: Room, steps: int, target: int, aim: float) -> tuple[
         if best < target:
             break
         if idle >= (ROOT_IDLE if aim > 0.0 else 3):
-            stride /= 2
+            halvings += 1
             idle = 0
-            if stride < 0.01:
+            if halvings > MOST_HALVINGS:
                 break
             for purse in range(purses):
                 trial[purse] = prices[purse]
@@ -268,11 +285,15 @@ def lower(tree: Tree, room: Room, steps: int, target: int, aim: float) -> tuple[
         if last == 0.0 or length == 0.0:
             break
         gap = aim * abs(float(bound)) if aim > 0.0 else float(bound - target + room.numbers[MARGIN])
-        step = stride * gap / length * float(1 << DRIFT_BITS)
+        step = gap / float(1 << halvings) / length * float(1 << DRIFT_BITS)
         for purse in range(purses):
             holds = float(max(1, limits[purse]))
             moved = float(trial[purse]) + step * float(drift[purse]) / holds
             trial[purse] = min(caps[purse], int(max(0.0, min(moved, 4e18))))
+    else:
+        numbers[SETTLED] = 0
+    numbers[LOWEST], numbers[FOUND] = best, found
+    numbers[HALVINGS], numbers[IDLE], numbers[FRESH] = halvings, idle, 1 if fresh else 0
     return best, found
 
 
