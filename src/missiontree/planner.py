@@ -24,6 +24,7 @@ from missiontree.authoring.outcome import Authored
 from missiontree.authoring.transcript import Origin, replay
 from missiontree.briefing import Request, request_from
 from missiontree.checking import check
+from missiontree.checking.regrounding import regrounding
 from missiontree.choosing.choose import NOTHING, Choice, choose
 from missiontree.errors import InputError, InternalError
 from missiontree.estimation.estimator import Estimator
@@ -55,7 +56,7 @@ from missiontree.scheduling.writing import untried_schedule
 MAX_DRAWN = 200
 PLAIN_SCHEDULER = "greedy"
 ALLOCATION_SHARE = 0.6
-CHECKING, CHECKING_EACH = 2.0, 1.0
+CHECKING, CHECKING_EACH = 1.0, 1.0
 """What checking takes, as a whole and for each alternative, in units of what grounding took: so much of a time limit is kept for it."""
 MOST_FOR_CHECKING = 0.5
 RANKING_SHARE = 0.5  # of the time, where alternatives and schedules are weighed against each other afterwards
@@ -220,6 +221,7 @@ def plan_authored(request: Request, authored: Authored, control: Control) -> Pla
     grounding = ground(authored.tree, request.brief, request.estimator)
     scene = request.brief.world.extended(authored.tree.entities)
     checking_s = (control.clock() - begun) * (CHECKING + CHECKING_EACH * request.k)
+    known = regrounding(authored.tree, request.brief, grounding.estimates)  # for the checker, while there is time
     work = control.without(checking_s, MOST_FOR_CHECKING)
     choosing = request.front or request.brief.objective != "utility"
     ranking, schedules = staff_and_schedule(grounding, request, scene, work.part(RANKING_SHARE) if choosing else work)
@@ -228,7 +230,7 @@ def plan_authored(request: Request, authored: Authored, control: Control) -> Pla
         with_ = SCHEDULERS[request.scheduler]
         choice = choose(grounding.tree, request.brief, scene, with_, work, ranking, schedules, request.front)
     made = _told(request, authored, grounding, ranking, schedules, choice)
-    faults = check(made)
+    faults = check(made, known)
     if faults and request.scheduler != PLAIN_SCHEDULER:
         plain = plan_authored(replace(request, scheduler=PLAIN_SCHEDULER), authored, control)
         return replace(plain, notices=(*plain.notices, _distrusted(request.scheduler, faults[0])))

@@ -7,12 +7,11 @@ from functools import cached_property
 from typing import Any, TypeVar
 
 from missiontree.checking.fault import Fault
+from missiontree.checking.regrounding import Regrounding, regrounding
 from missiontree.checking.staffing import Staffing
 from missiontree.checking.timetable import Timetable
 from missiontree.checking.ways import Ways
 from missiontree.errors import InputError
-from missiontree.estimation.answers import ReadingOut
-from missiontree.estimation.estimator import Estimator
 from missiontree.formats.digest import digest
 from missiontree.llm.recording import Recording, read_recording
 from missiontree.mission.entity import Entity
@@ -23,7 +22,6 @@ from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.tree import MissionNode, MissionTree
-from missiontree.routines.ground import ground
 
 WORKING = ("optimal", "feasible")
 About = TypeVar("About")
@@ -38,10 +36,12 @@ class Case:
     ----------
     plan
         Any plan, however damaged. What dangles is left out of the views below and reported by the rules on references.
+    known
+        Its tree grounded anew beforehand; taken only if it is of this plan. Default: that is done when a rule asks.
     """
 
-    def __init__(self, plan: Plan) -> None:
-        self.plan = plan
+    def __init__(self, plan: Plan, known: Regrounding | None = None) -> None:
+        self.plan, self._known = plan, known
         self._made: dict[tuple[object, object], Any] = {}
 
     def once(self, work: Callable[[Case, About], Made], about: About) -> Made:
@@ -120,16 +120,9 @@ class Case:
         """The mission tree grounded anew; why it cannot be; None if the plan holds no mission tree and grounding to compare."""
         if self.plan.tree is None or self.plan.grounding is None:
             return None
-        try:
-            return ground(self.plan.tree, self.plan.brief, self._estimator)
-        except Exception as error:  # a damaged tree may break whatever grounding relies on
-            return str(error) or type(error).__name__
-
-    @property
-    def _estimator(self) -> Estimator | None:
-        """What the user's own estimator said, if it was one; it itself is not asked."""
-        grounding = self.plan.grounding
-        return ReadingOut(grounding.estimates) if grounding is not None and self.plan.brief.estimator else None
+        if self._known is not None and self._known.is_of(self.plan):
+            return self._known.found
+        return regrounding(self.plan.tree, self.plan.brief, self.plan.grounding.estimates).found
 
     @cached_property
     def answers(self) -> dict[tuple[str, str, str, str | None], tuple[Estimated, ...]]:

@@ -39,6 +39,7 @@ from missiontree.checking import (
 )
 from missiontree.checking.case import Case, Rule
 from missiontree.checking.fault import Fault
+from missiontree.checking.regrounding import Regrounding
 from missiontree.mission.as_ranking import as_ranking
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.plan import Plan
@@ -211,7 +212,7 @@ OPTION_RULES: tuple[Rule, ...] = (
 _UNJUDGED = Certificate(claim="unproven", method="enumeration")
 
 
-def check(plan: Plan) -> tuple[Reason, ...]:
+def check(plan: Plan, known: Regrounding | None = None) -> tuple[Reason, ...]:
     """
     Check a plan against its inputs.
 
@@ -223,13 +224,16 @@ def check(plan: Plan) -> tuple[Reason, ...]:
     ----------
     plan
         Any plan, however damaged: what is wrong is answered, never raised.
+    known
+        What :func:`missiontree.checking.regrounding.regrounding` made of its tree beforehand, so that nobody has to wait for that
+        when time is up. Default: nothing.
 
     Returns
     -------
     tuple of Reason
         Findings, each naming rule, node and robot; empty if the plan is sound.
     """
-    return _checked(plan, RULES)
+    return _checked(plan, RULES, known)
 
 
 def check_schedules(plan: Plan) -> tuple[Reason, ...]:
@@ -248,8 +252,8 @@ def check_schedules(plan: Plan) -> tuple[Reason, ...]:
     return _checked(replace(plan, ranking=ranking), SCHEDULE_RULES)
 
 
-def _checked(plan: Plan, rules: tuple[Rule, ...]) -> tuple[Reason, ...]:
-    case = Case(plan)
+def _checked(plan: Plan, rules: tuple[Rule, ...], known: Regrounding | None = None) -> tuple[Reason, ...]:
+    case = Case(plan, known)
     findings = tuple(_reason(rule, fault) for rule in rules for fault in rule(case))
     return findings or tuple(_of_options(plan)) or tuple(recheck(plan))
 
