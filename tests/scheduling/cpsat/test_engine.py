@@ -18,8 +18,12 @@ from missiontree.mission.terms import NO_TERMS
 from missiontree.scheduling import SCHEDULERS
 from missiontree.scheduling.cpsat import engine, improving
 from missiontree.scheduling.cpsat.engine import schedule_within
+from missiontree.scheduling.cpsat.formulation import Formulation
 from missiontree.scheduling.cpsat.search import search
 from missiontree.scheduling.cpsat.settings import Settings
+from missiontree.scheduling.greedy import read_problem
+from missiontree.scheduling.problem import Problem
+from missiontree.scheduling.replay import replay
 from tests.scheduling.instances import Instance, Part, at, mission, move, robot_of, robots, scene, times, work
 from tests.scheduling.validator import faults
 
@@ -264,3 +268,30 @@ def test_what_comes_between_the_two_sides_of_a_hand_over_costs_no_schedule(holde
     assert result.makespan_s <= 8
     assert result.certificate.bound is not None
     assert result.certificate.bound <= 6
+
+
+def test_who_waits_for_something_does_not_go_on_to_do_it() -> None:
+    """
+    Near is at p, and far 10 s away. A watch of 3 s comes before a glance, which takes no time, and goes on until it.
+
+    By times alone near could watch and then glance, at the moment at which watching ends, a millisecond after it has begun; which is no
+    order of events. Else far glances, at 10 s, or near does and far watches, from 10 s to 13 s.
+    """
+    parts = [
+        Part("watch", "r", [work(3, at="p"), work(at="p", open_ended=True)]),
+        Part("glance", "r", [work(0, at="p")]),
+    ]
+    made = mission(parts, [("watch.1", "glance", "until"), ("watch.0", "glance")])
+    near, far = Robot(id="near", position=at(0)), Robot(id="far", position=at(10))
+    fleet = Fleet((robots("r", speed=1, robots=(near, far)),))
+    problem = read_problem(made.tree, made.alternative, fleet, scene(p=0), NO_TERMS)
+    assert isinstance(problem, Problem)
+    formulation = Formulation(problem, 20_000)
+    found = search(formulation.model, 60, lambda: False)
+    assert found.objective == 3001
+    assert replay(problem, formulation.course(found.values)) is None
+    assert formulation.keep_to_orders()
+    found = search(formulation.model, 60, lambda: False)
+    draft = replay(problem, formulation.course(found.values))
+    assert draft is not None
+    assert (found.objective, draft.makespan) == (10_000, 10_000)

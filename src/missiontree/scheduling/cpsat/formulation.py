@@ -11,11 +11,11 @@ from collections.abc import Callable
 
 from missiontree.mission.control import never
 from missiontree.scheduling.course import Course, passings
-from missiontree.scheduling.cpsat.between import keep_between_free
 from missiontree.scheduling.cpsat.crew import Crew, crews, uses_of
 from missiontree.scheduling.cpsat.heads import Spans, add_heads
 from missiontree.scheduling.cpsat.model import FAR, Affine, Linear, Model, negated
 from missiontree.scheduling.cpsat.ordering import Ordering
+from missiontree.scheduling.cpsat.orders import keep_to_orders
 from missiontree.scheduling.cpsat.placing import Stations
 from missiontree.scheduling.cpsat.shared import add_sharing
 from missiontree.scheduling.cpsat.staff import MOST_FACTOR, Staff, least_whole, scale_of, whole
@@ -81,10 +81,10 @@ class Formulation:
         """The first thing that counts."""
         self.model.objective = ((1, self.times.makespan),)
 
-    def keep_between_free(self) -> bool:
-        """From now on, nothing stands between the sides of a hand-over (see :mod:`between`); False if the model is no other for it."""
+    def keep_to_orders(self) -> bool:
+        """From now on, forbid what times allow and no order of events does (see :mod:`orders`); False if the model is no other for it."""
         before = len(self.model.constraints)
-        keep_between_free(self.model, self.problem, self.times, self.ordering, self.tours)
+        keep_to_orders(self.model, self.problem, self.times, self.ordering, self.tours)
         return len(self.model.constraints) > before
 
     def minimise_travel(self, makespan: int) -> bool:

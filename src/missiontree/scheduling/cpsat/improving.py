@@ -171,7 +171,7 @@ class Improving:
         found = self._search(formulation.model, SHARE, self._heard)
         if found.bound is not None and found.bound <= self._horizon():
             self._bound = max(self._bound, found.bound)
-        if not self._take(formulation, found) and formulation.keep_between_free():
+        if not self._take(formulation, found) and formulation.keep_to_orders():
             self._take(formulation, self._search(formulation.model, SHARE))
         if found.verdict == "infeasible" and self._best is None:
             self._impossible = True

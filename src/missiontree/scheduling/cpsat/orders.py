@@ -1,9 +1,10 @@
 """
-Nothing comes between a hand-over's two sides: the giver ends when the taker starts, and both are one moment.
+What times allow and no order of events does, because something takes no time; schedules are made from orders.
 
-An activity that takes no time could else stand there, after the giver for one reason and before the taker for another. Times do not
-speak against it, but no order of events has it so, and schedules are made from orders. Kept out, it is over when the giver starts, or
-starts when the taker is over. That is stricter than the rules of schedules: nothing but answers may be taken from a model that keeps it.
+The giver of a hand-over ends when the taker starts, and both are one moment: an activity without length could stand there, after the
+one for some reason and before the other for another. What lasts until something ends is over then, so that its robot could go on to
+just that, if it takes no time. Rules of schedules speak of times, and do not forbid it. So nothing but answers may be taken from a
+model that does.
 """
 
 from __future__ import annotations
@@ -17,13 +18,17 @@ from missiontree.scheduling.cpsat.tours import Tours
 from missiontree.scheduling.problem import Problem
 
 
-def keep_between_free(model: Model, problem: Problem, times: Times, ordering: Ordering, tours: Sequence[Tours]) -> None:
+def keep_to_orders(model: Model, problem: Problem, times: Times, ordering: Ordering, tours: Sequence[Tours]) -> None:
     """
-    Keep what takes no time out of every hand-over.
+    Keep activities without length out of hand-overs, and robots from waiting for themselves.
 
     Reasons to come after a giver or before a taker are a resource without room for both, one robot for both, an order that is certain, or
     that a robot does the one role right after the other. Longer chains of activities without length are left out.
     """
+    for open_ended, ends in sorted(problem.graph.until.items()):
+        for one in sorted(ends):
+            for arc in _arcs(problem, tours, open_ended, one):
+                model.clause(negated(arc))
     rivals = {frozenset(pair) for name in problem.sharing.capacity for pair in problem.sharing.rivals(name)}
     instants = [one for one in range(len(times.start)) if not problem.bounds.duration[one]]
     for giver, taker in sorted(problem.hand_overs.taker.items()):
@@ -62,6 +67,11 @@ def _reasons(
     """Literals that each make one activity come before another."""
     if ordering.certain(first, second):
         yield model.true
+    yield from _arcs(problem, tours, first, second)
+
+
+def _arcs(problem: Problem, tours: Sequence[Tours], first: int, second: int) -> Iterator[int]:
+    """Literals that each make one robot do a role of an activity, and right after it one of another."""
     mine, its = _roles(problem, first), _roles(problem, second)
     for one in tours:
         nodes = [{one.node(role) for role in one.crew.roles if role in side} for side in (mine, its)]
