@@ -163,6 +163,21 @@ def test_links_that_no_robot_can_keep_are_given_up() -> None:
     assert any(repair.changes[0].kind == "add_capability" for repair in known.told.repairs)
 
 
+def test_a_link_that_leaves_only_robots_which_lack_something_is_part_of_the_cause() -> None:
+    """
+    Who searches carries, too, and only the arm can do both; 60 m to the hall and back cost 300 J, and it has 200 J.
+
+    Without the link the rover carries, and the arm needs 150 J to search in the hall.
+    """
+    fleet = FLEET.replace("search: 0.8, reach: 0.8", "carry: 0.9").replace("carry: 1.0", "carry: 1.0, search: 0.8")
+    fleet = fleet.replace("energy_j: 600", "energy_j: 200")
+    request = mission(CARRY, FIND, fleet=fleet, links=(Link("n1", "n0", "same_robot"),), check_kinds=False)
+    (cause,) = told_of(request).told.causes
+    assert (cause.stage, cause.shortfall) == ("schedule", Shortfall(quantity="energy_j", has=200, needs=300))
+    asked = 'The mission asks that one robot does both "Search(Anna)" and "Transport(crate, dock)"; without that it can be done.'
+    assert [reason.message for reason in cause.reasons if reason.rule == "same_robot_binds"] == [asked]
+
+
 def test_joint_work_kept_for_one_type_is_opened_to_all_where_no_single_type_is_enough() -> None:
     """A beam takes two to carry. The arms may not, for it is kept for the drone; of arms and rovers there is one each."""
     both = FLEET.replace("search: 0.8, reach: 0.8", "lift: 0.9").replace("carry: 1.0", "lift: 1.0")

@@ -18,6 +18,7 @@ from missiontree.estimation.answers import ReadingOut
 from missiontree.estimation.own import OwnEstimator
 from missiontree.explaining.any_schedule import THOROUGH
 from missiontree.explaining.case import Case
+from missiontree.explaining.causes.binding import with_links
 from missiontree.explaining.causes.causes import causes_of
 from missiontree.explaining.causes.closer import closer
 from missiontree.explaining.causes.routines import routine_causes
@@ -155,7 +156,7 @@ def explained(plan: Plan, request: Request, control: Control, most: int = MOST_R
     known = [cause.shortfall for cause in causes if cause.shortfall is not None]
     repairs = Repairs(request, case, known, control)
     found = repairs.find(max(1, most))
-    causes = tuple(closer(cause, found) for cause in causes)
+    causes = with_links([closer(cause, found) for cause in causes], found, case.tree)
     nearest = nearest_of(plan, request, case.tree, control)
     told = replace(
         told,
