@@ -101,13 +101,14 @@ class State:
     done: int = 0
     seconds: float = 0.0
     slowest_s: float = 0.0
+    slowest: int = -1  # its number
     rows: dict[str, dict[str, int]] = field(default_factory=dict)
     violations: dict[str, list[str]] = field(default_factory=dict)
 
     def add(self, other: State) -> None:
         """Take in what further runs came to."""
         self.done += other.done
-        self.slowest_s = max(self.slowest_s, other.slowest_s)
+        self.slowest_s, self.slowest = max((self.slowest_s, self.slowest), (other.slowest_s, other.slowest))
         for row, counts in other.rows.items():
             self.rows[row] = dict(Counter(self.rows.get(row, {})) + Counter(counts))
         for kind, messages in other.violations.items():
@@ -129,7 +130,7 @@ def made(campaign: Campaign, seed: int, start: int, stop: int) -> State:
         except Exception:
             verdict = Verdict("crashed", violations=((CRASH, traceback.format_exc(limit=-3)),))
         seconds = time.perf_counter() - began
-        one = State(campaign.name, seed, "", done=1, slowest_s=seconds)
+        one = State(campaign.name, seed, "", done=1, slowest_s=seconds, slowest=index)
         one.rows[verdict.row] = {campaign.unit: 1, **verdict.counts}
         for kind, message in verdict.violations:
             one.violations.setdefault(kind, []).append(f"{index}: {message}")
@@ -164,7 +165,7 @@ def table(campaign: Campaign, state: State) -> str:
     facts |= campaign.facts(state.seed, state.done)
     rate = state.done / state.seconds if state.seconds else 0.0
     facts |= {"seconds": f"{state.seconds:.0f}", f"{campaign.unit} per second": f"{rate:.0f}"}
-    facts |= {"slowest of them, seconds": f"{state.slowest_s:.2f}", "seed": state.seed, "source": state.source}
+    facts |= {"slowest of them, seconds": f"{state.slowest_s:.2f} (number {state.slowest})", "seed": state.seed, "source": state.source}
     lines = [machine_line("pydantic"), "", "| what | value |", "|---|---|"]
     lines += [f"| {what} | {value} |" for what, value in facts.items()]
     columns = list(dict.fromkeys([campaign.unit, *sorted(name for row in state.rows.values() for name in row)]))
