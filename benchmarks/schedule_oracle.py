@@ -104,7 +104,7 @@ class Oracle:
         self.disturbed |= any(self._comes_between(giver, taker) for giver, taker in self.taker.items())
         if self.taker:  # at the moment of a hand-over, orders do not tell who of several has what is shared
             actions = self.actions.values()
-            self.disturbed |= any(one.holds and not one.moves and not one.duration_s for one in actions)
+            self.disturbed |= any(one.holds and (one.moves or not one.duration_s) for one in actions)
         self.release = dict.fromkeys(self.leaves, 0)
         self.due: dict[int, int] = {}
         for index, node in enumerate(case.tree.nodes):

@@ -44,8 +44,9 @@ def test_it_says_nothing_of_another_plan(name: str) -> None:
     tree = plan.grounding.tree
     at = next(index for index, node in enumerate(tree.nodes) if node.action is not None)
     nodes = (*tree.nodes[:at], replace(tree.nodes[at], label="forged"), *tree.nodes[at + 1 :])
-    forged = replace(plan, grounding=replace(plan.grounding, tree=replace(tree, nodes=nodes)))
-    known = beforehand(plan)._replace(found=forged.grounding)
+    grounding = replace(plan.grounding, tree=replace(tree, nodes=nodes))
+    forged = replace(plan, grounding=grounding)
+    known = beforehand(plan)._replace(found=grounding)
     assert check(replace(forged, brief=replace(plan.brief)), known)
 
 

@@ -1,8 +1,9 @@
-"""Is there any schedule of an alternative? The first that greedy runs find; where they find none, constraint programming is asked."""
+"""Is there any schedule of an alternative? The first that is found; where little effort finds none and no proof, all methods are asked."""
 
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.control import Control
@@ -12,12 +13,16 @@ from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import Terms
 from missiontree.scheduling import SCHEDULERS
+from missiontree.scheduling.enumeration.proving import tried_out
 from missiontree.scheduling.greedy import read_problem
+from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.problem import Problem
-from missiontree.scheduling.runs import best_of_runs
-from missiontree.scheduling.writing import found_schedule, impossible_schedule
+from missiontree.scheduling.runs import MAX_RUNS, Runs
+from missiontree.scheduling.writing import found_schedule, impossible_schedule, no_schedule
 
 WORKING = frozenset({"optimal", "feasible"})
+FIRST_RUNS = 4
+FEW_STEPS = 2_000  # of trying everything out
 THOROUGH = "auto"
 """Scheduler that is asked where the quick one proves nothing."""
 
@@ -29,7 +34,15 @@ def any_schedule(
     problem = read_problem(tree, alternative, terms.team_of(fleet), scene, terms)
     if not isinstance(problem, Problem):
         return impossible_schedule(alternative, *problem)
-    best, _ = best_of_runs(problem, alternative, control, replace(control, time_limit_s=0.0))
-    if best is not None:
-        return found_schedule(problem, alternative, best)
+    runs = Runs(problem, alternative, control, replace(control, time_limit_s=0.0))
+    runs.go(FIRST_RUNS, anyway=True)
+    proof = None
+    if runs.best is None:
+        runs.best, proof = tried_out(problem, None, partial(horizon_of, problem), FEW_STEPS, control.ended)
+    if runs.best is None and proof is None:
+        runs.go(MAX_RUNS)
+    if runs.best is not None:
+        return found_schedule(problem, alternative, runs.best)
+    if proof is not None:
+        return no_schedule(alternative, proof, runs.failures)
     return SCHEDULERS[THOROUGH](tree, alternative, fleet, scene, control, terms)

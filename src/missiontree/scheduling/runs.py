@@ -122,19 +122,3 @@ class Runs:
 
     def _unbeatable(self) -> bool:
         return self.best is not None and self.shortest and self.best.metres == 0
-
-
-def best_of_runs(
-    problem: Problem, alternative: Alternative, control: Control, more: Control | None = None, most: int = MAX_RUNS
-) -> tuple[Draft | None, list[Reason]]:
-    """
-    The best draft of some runs, and why runs got stuck.
-
-    Parameters
-    ----------
-    problem, alternative, control, more, most
-        See :class:`Runs`.
-    """
-    runs = Runs(problem, alternative, control, more, most)
-    runs.go(most)
-    return runs.best, runs.failures

@@ -16,7 +16,7 @@ from missiontree.mission.schedule import Schedule
 from missiontree.mission.shared_resource import SharedResource
 from missiontree.mission.terms import NO_TERMS
 from missiontree.scheduling import SCHEDULERS
-from missiontree.scheduling.cpsat import engine, improving
+from missiontree.scheduling.cpsat import improving
 from missiontree.scheduling.cpsat.engine import schedule_within
 from missiontree.scheduling.cpsat.formulation import Formulation
 from missiontree.scheduling.cpsat.search import search
@@ -24,6 +24,7 @@ from missiontree.scheduling.cpsat.settings import Settings
 from missiontree.scheduling.greedy import read_problem
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.replay import replay
+from missiontree.scheduling.runs import Runs
 from tests.scheduling.instances import Instance, Part, at, mission, move, robot_of, robots, scene, times, work
 from tests.scheduling.validator import faults
 
@@ -211,7 +212,7 @@ def test_the_best_is_told_of_even_if_the_solver_says_it_only_at_its_end(monkeypa
     monkeypatch.setattr(
         improving, "search", lambda model, limit, ended, effort, heard, clock: search(model, limit, ended, effort)
     )
-    monkeypatch.setattr(engine, "best_of_runs", lambda *rest: (None, []))
+    monkeypatch.setattr(Runs, "go", lambda *rest, **more: None)
     made, kind, world = five_stops()
     heard: list[Progress] = []
     result = solved(made, kind, world=world, control=Control(report=heard.append))

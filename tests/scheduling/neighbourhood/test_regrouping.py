@@ -21,7 +21,7 @@ from missiontree.scheduling.neighbourhood.network import Network
 from missiontree.scheduling.neighbourhood.stops import stops_of
 from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.replay import replay
-from missiontree.scheduling.runs import best_of_runs
+from missiontree.scheduling.runs import Runs
 
 PLAIN = frozenset({"travel", "joint", "links", "apart", "idle", "times", "comings"})
 """Features of which the longest paths know all there is."""
@@ -36,8 +36,9 @@ def drafted(
     problem = read_problem(case.tree, case.alternative, case.fleet, case.scene, case.terms)
     if not isinstance(problem, Problem):
         return None
-    draft, _ = best_of_runs(problem, case.alternative, Control(), most=3)
-    return None if draft is None else (case, problem, draft)
+    runs = Runs(problem, case.alternative, Control(), most=3)
+    runs.go(3)
+    return None if runs.best is None else (case, problem, runs.best)
 
 
 def tours_of(problem: Problem, draft: Draft) -> dict[str, list[int]]:

@@ -8,6 +8,8 @@ is said only if our own bound, an enumeration, or a second formulation of anothe
 
 from __future__ import annotations
 
+from functools import partial
+
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.control import Control
 from missiontree.mission.fleet import Fleet
@@ -17,13 +19,15 @@ from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.scheduling.cpsat.improving import MANY_ROLES, Improving
 from missiontree.scheduling.cpsat.settings import Settings
+from missiontree.scheduling.enumeration.proving import tried_out
 from missiontree.scheduling.greedy import read_problem
+from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.problem import Problem
-from missiontree.scheduling.runs import MAX_RUNS, best_of_runs
-from missiontree.scheduling.writing import found_schedule, impossible_schedule
+from missiontree.scheduling.runs import MAX_RUNS, Runs
+from missiontree.scheduling.writing import found_schedule, impossible_schedule, no_schedule
 
 GREEDY_SHARE = 0.2  # of the time, for greedy runs beyond the first that succeeds
-GREEDY_RUNS = 6  # in missions of few roles, for which the solver does more
+GREEDY_RUNS = 6  # in missions of few roles, for which the solver does more; in others, before anything else is tried
 CPSAT = Settings(longest_s=30.0)
 """Half a minute for each alternative, at most."""
 AUTO = Settings(longest_s=1.0, largest=20_000, deterministic=True, tidy=False, last_steps=4_000, regrouping=8_000)
@@ -68,8 +72,15 @@ def schedule_within(
     if not isinstance(problem, Problem):
         return impossible_schedule(alternative, *problem)
     small = len(problem.graph.roles) < MANY_ROLES and not problem.chargers  # the model knows nothing of refilling
-    runs = GREEDY_RUNS if small else MAX_RUNS
-    best, failures = best_of_runs(problem, alternative, control, control.part(GREEDY_SHARE), runs)
-    if best is not None and best.makespan == problem.bounds.makespan:
-        return found_schedule(problem, alternative, best)
-    return Improving(problem, alternative, control, settings, best, failures)()
+    runs = Runs(problem, alternative, control, control.part(GREEDY_SHARE))
+    runs.go(GREEDY_RUNS, anyway=True)
+    if runs.best is None:
+        # Where there is no schedule, runs without end find none, and trying everything out may soon say so.
+        runs.best, proof = tried_out(problem, None, partial(horizon_of, problem), settings.first_steps, control.ended)
+        if runs.best is None and proof is not None:
+            return no_schedule(alternative, proof, runs.failures)
+    runs.go(GREEDY_RUNS if small else MAX_RUNS)
+    if runs.shortest:
+        assert runs.best is not None
+        return found_schedule(problem, alternative, runs.best)
+    return Improving(problem, alternative, control, settings, runs.best, runs.failures)()
