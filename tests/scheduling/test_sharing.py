@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import pairwise
+from random import Random
 from typing import Any
 
 import pytest
@@ -211,6 +212,28 @@ def test_turns_keep_room_whatever_the_times(spans: list[tuple[int, int, int]], c
         again[number] = start, start + spans[number][1]
     holds = [Hold(*again[number], spans[number][2]) for number in again]
     assert all(crowd(holds, half) <= capacity for half in range(1, 80, 2))
+
+
+@given(
+    st.lists(st.tuples(st.integers(0, 6), st.integers(0, 4), st.integers(1, 2)), min_size=1, max_size=7),
+    st.integers(2, 3),
+    st.randoms(use_true_random=False),
+)
+def test_turns_ask_nobody_to_wait_for_what_is_not_over(
+    wanted: list[tuple[int, int, int]], capacity: int, luck: Random
+) -> None:
+    """Whatever the order of unrelated events at one moment: where there is room at these times, turns keep to them."""
+    spans, holds = dict[int, tuple[int, int]](), list[Hold]()
+    for number, (ready, length, wide) in enumerate(sorted(wanted)):
+        start = first_room(holds, capacity, wide, ready, length)
+        assert start is not None
+        spans[number] = start, start + length
+        holds.append(Hold(start, start + length, wide))
+    sharing = Sharing({"lift": capacity}, {number: {"lift": hold.robots} for number, hold in enumerate(holds)})
+    events = [(time, luck.random(), 2 * one + end) for one, span in spans.items() for end, time in enumerate(span)]
+    order = {event: place for place, (_, _, event) in enumerate(sorted(events))}
+    pairs = turns(sharing, spans, order)
+    assert all(spans[first][1] <= spans[second][0] for first, second in pairs)
 
 
 def in_turn(activities: list[int]) -> dict[int, int]:

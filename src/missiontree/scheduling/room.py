@@ -137,7 +137,7 @@ def turns(sharing: Sharing, spans: Mapping[int, tuple[int, int]], order: Mapping
 
     Each place in a resource is passed on from one holder to the next (interval colouring), in order of the starts. At one moment a place
     goes rather to whom order lets come after the end of who had it: an action that lasts until another ends has its place until then. If
-    there is no other place, nobody can keep to the pair.
+    no other place is free, and order says so for a reason, nobody can keep to the pair.
 
     Parameters
     ----------
@@ -159,7 +159,7 @@ def turns(sharing: Sharing, spans: Mapping[int, tuple[int, int]], order: Mapping
                 """Whether whoever has the place gives it up just then, and only after this has begun."""
                 return place[0] == start and order.get(2 * place[1] + 1, -1) > begins
 
-            places.sort(key=lambda place, start=start: (early(place), max(0, place[0] - start), -place[0], place[1]))  # type: ignore[misc]
+            places.sort(key=lambda place, start=start: (max(0, place[0] - start), early(place), -place[0], place[1]))  # type: ignore[misc]
             for number in range(min(capacity, holders[activity])):
                 if places[number][1] >= 0:
                     pairs[places[number][1], activity] = None

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from missiontree.mission.fleet import Fleet, RobotType
@@ -143,3 +145,34 @@ def test_a_joint_move_may_follow_the_way_to_where_the_other_works() -> None:
     problem = problem_of(made, robots("r", 2, speed=2, position=at(6)), world=scene(q=3, box=2))
     assert horizon_of(problem) >= 3_500
     assert makespan(problem, tried(problem, horizon_of(problem))) == 3_500
+
+
+def test_a_robot_that_was_under_way_until_something_ended_is_free_after_it() -> None:
+    """
+    One robot works for 5 s, and watches until a tick, which takes no time and must come by 1 s: the watch comes first, and both are over
+    at 5.001 s. The work has the smallest number, and starts when the tick does; but it could not have been put down before that.
+    """
+    parts = [
+        Part("work", "a", [work(5)]),
+        Part("watch", "a", [work(open_ended=True)]),
+        Part("tick", "b", [work(0)]),
+    ]
+    made = mission(parts, [("watch", "tick", "until")]).timed(tick=(0, 1))
+    problem = problem_of(made, robots("a"), robots("b"))
+    found = tried(problem, 20_000)
+    assert (found.complete, found.makespan, makespan(problem, found)) == (True, 5_001, 5_001)
+
+
+def test_a_course_that_takes_longer_than_it_seemed_proves_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is found is 12 s long; carried out it takes 13 s, and nobody knows then whether 12.5 s would do."""
+    made, kind, world = far_and_near()
+    problem = problem_of(made, kind, world=world)
+    found = tried(problem, 20_000).course
+    assert found is not None
+    draft = replay(problem, found)
+    assert draft is not None
+    longer = replace(draft, makespan=13_000)
+    monkeypatch.setattr("missiontree.scheduling.enumeration.proving.replay", lambda problem, course: longer)
+    best, proof = tried_out(problem, None, lambda: 20_000, 1_000, lambda: False)
+    assert best is not None
+    assert (best.makespan, proof) == (13_000, None)

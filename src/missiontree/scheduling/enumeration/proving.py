@@ -17,8 +17,8 @@ def tried_out(
     """
     The best draft after everything that could be better was tried, and the proof of it.
 
-    What robots can refill is taken to last for ever there. So a draft that came to be longer by visits to chargers is put to the proof
-    anew.
+    What robots can refill is taken to last for ever there. So a draft that came to be longer, by visits to chargers or for whatever reason,
+    is put to the proof anew.
 
     Parameters
     ----------
@@ -46,13 +46,12 @@ def tried_out(
         draft = replay(problem, tried.course)
         if draft is None:
             return best, None
-        if problem.chargers:
-            best = draft if best is None or draft.value < best.value else best
+        longer = draft.makespan > tried.makespan
+        best = draft if best is None or draft.value < best.value else best
+        if longer:
             tried = Trying(problem, best.makespan - 1, most_steps, ended)()
-            if tried.course is not None:  # shorter with levels that last for ever: it proves nothing
+            if tried.course is not None:  # nobody has shown that it can be carried out: it proves nothing
                 return best, None
-        else:
-            best = draft
     if not tried.complete:
         return best, None
     makespan = None if best is None else best.makespan

@@ -54,11 +54,14 @@ class Tried:
         The shortest that beats what was to be beaten; None if none does.
     steps
         How many steps it took.
+    makespan
+        Of the course, in ticks; 0 if there is none.
     """
 
     complete: bool
     course: Course | None
     steps: int
+    makespan: int = 0
 
 
 def too_many(problem: Problem) -> bool:
@@ -132,8 +135,10 @@ class Trying:
         self._roles_of: dict[str, list[int]] = {}
         for role in self._graph.roles:
             self._roles_of.setdefault(self._staffing.type_of[role], []).append(role)
+        self._ending = {one for ends in self._graph.until.values() for one in ends}
         self._steps = 0
         self._best: Course | None = None
+        self._makespan = 0
         self._under_way: dict[int, int] = {}
         self._waits: dict[int, list[int]] = {}
 
@@ -155,8 +160,8 @@ class Trying:
                 self._settle(state, [event for event, count in enumerate(state.missing) if not count])
                 self._go_on(state)
         except _EnoughError:
-            return Tried(False, self._best, self._steps)
-        return Tried(True, self._best, self._steps)
+            return Tried(False, self._best, self._steps, self._makespan)
+        return Tried(True, self._best, self._steps, self._makespan)
 
     def _out_of_turn(self) -> bool:
         """
@@ -252,6 +257,8 @@ class Trying:
         last = state.placed[-1]
         if last in self._relations.earlier[activity] or last in self._relations.rivals[activity]:
             return False
+        if last in self._ending:  # robots that were under way until then are free since
+            return False
         if last in self._waits.get(activity, ()) or {last, activity} <= self._problem.sharing.demand.keys():
             return False
         return not any(
@@ -302,7 +309,7 @@ class Trying:
             return
         if not {*self._problem.required} <= {self._names[robot] for robot in used}:
             return
-        self._best, self._limit = self._course(state), end - 1
+        self._best, self._makespan, self._limit = self._course(state), end, end - 1
 
     def _go_home(self, state: State, robot: int) -> bool:
         """Whether a robot gets home; it is there afterwards."""
