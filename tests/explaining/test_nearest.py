@@ -15,11 +15,14 @@ from missiontree.errors import InputError
 from missiontree.explaining.nearest import nearest_part
 from missiontree.explaining.weighing import topmost, weights_of, without_parts
 from missiontree.mission.brief import MissionBrief
+from missiontree.mission.charger import Charger
 from missiontree.mission.control import Control
 from missiontree.mission.entity import Entity
-from missiontree.mission.fleet import Fleet, RobotType
+from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.goal import Goal
 from missiontree.mission.plan import Plan
+from missiontree.mission.position import Position
+from missiontree.mission.scene import Scene
 from missiontree.mission.tree import Link, LinkKind, MissionNode, MissionTree
 from missiontree.planner import author, plan_authored
 from missiontree.reporting.text import plan_text
@@ -65,6 +68,24 @@ def test_nothing_is_offered_where_no_part_can_be_done() -> None:
         tree, fleet=Fleet((RobotType(id="eye", count=1, capabilities={"search": 1.0}),)), check_kinds=False
     )
     assert nearest(tree, brief) is None
+
+
+def test_robots_that_are_half_charged_do_not_stand_in_the_way_of_an_answer() -> None:
+    """A robot with 50 J of 100 J and a charger; one thing is looked for, and the other, due after a second, is left out."""
+    eye = RobotType(
+        id="eye",
+        robots=(Robot(id="eye1", remaining={"energy_j": 50.0}),),
+        capabilities={"search": 1.0},
+        limits={"energy_j": 100.0},
+    )
+    scene = Scene(entities=THINGS, chargers=(Charger(id="plug", position=Position(0, 0), rate_per_s=1.0),))
+    late, kept = (
+        replace(routine_node("late", "Search", agent="a"), deadline_s=1.0),
+        routine_node("kept", "Search", agent="b"),
+    )
+    tree = flat_tree(late, kept)
+    plan = nearest(tree, brief_of(tree, fleet=Fleet((eye,)), scene=scene))
+    assert left_out(plan) == ["late"]
 
 
 def searches(names: str, *, deadline_s: float | None = None, links: tuple[Link, ...] = ()) -> MissionTree:

@@ -56,5 +56,6 @@ def _able(kind: RobotType, capabilities: list[str]) -> RobotType:
         kind,
         capabilities={**dict.fromkeys(capabilities, BEST), **dict.fromkeys(kind.capabilities, BEST)},
         limits=speed,
+        robots=tuple(replace(robot, remaining={}) for robot in kind.robots),
         zones=None,
     )
