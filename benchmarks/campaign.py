@@ -55,7 +55,15 @@ Judge = Callable[[int, int], Verdict]
 """Makes the run of a seed and a number. It may raise: that is a crash, and counted."""
 
 
+Rows = Mapping[str, Mapping[str, int]]
+"""What was counted so far, by row and column."""
+
+
 def _no_facts(seed: int, done: int) -> Mapping[str, object]:
+    return {}
+
+
+def _nothing_told(rows: Rows) -> Mapping[str, object]:
     return {}
 
 
@@ -80,6 +88,10 @@ class Campaign:
         What a run is called.
     facts
         Further lines of the table, by seed and number of runs done.
+    told
+        Further lines of the table, by what was counted.
+    chunk
+        How many runs that follow each other are made in one process, and between two savings of the state. Default 100.
     """
 
     name: str
@@ -89,6 +101,8 @@ class Campaign:
     never: tuple[str, ...]
     unit: str = "runs"
     facts: Callable[[int, int], Mapping[str, object]] = _no_facts
+    told: Callable[[Rows], Mapping[str, object]] = _nothing_told
+    chunk: int = CHUNK
 
 
 @dataclass
@@ -163,9 +177,14 @@ def table(campaign: Campaign, state: State) -> str:
     facts: dict[str, object] = {campaign.unit: state.done}
     facts |= {kind: len(state.violations.get(kind, ())) for kind in (*campaign.never, CRASH)}
     facts |= campaign.facts(state.seed, state.done)
+    facts |= campaign.told(state.rows)
     rate = state.done / state.seconds if state.seconds else 0.0
     facts |= {"seconds": f"{state.seconds:.0f}", f"{campaign.unit} per second": f"{rate:.0f}"}
-    facts |= {"slowest of them, seconds": f"{state.slowest_s:.2f} (number {state.slowest})", "seed": state.seed, "source": state.source}
+    facts |= {
+        "slowest of them, seconds": f"{state.slowest_s:.2f} (number {state.slowest})",
+        "seed": state.seed,
+        "source": state.source,
+    }
     lines = [machine_line("pydantic"), "", "| what | value |", "|---|---|"]
     lines += [f"| {what} | {value} |" for what, value in facts.items()]
     columns = list(dict.fromkeys([campaign.unit, *sorted(name for row in state.rows.values() for name in row)]))
@@ -191,7 +210,8 @@ def source_digest() -> str:
 
 def _pieces(campaign: Campaign, seed: int, start: int, stop: int, jobs: int) -> Iterator[State]:
     """What is left to do, piece by piece, in order."""
-    spans = ((first, min(first + CHUNK, stop)) for first in range(start, stop, CHUNK))
+    size = campaign.chunk
+    spans = ((first, min(first + size, stop)) for first in range(start, stop, size))
     if jobs == 1:
         for first, last in spans:
             yield made(campaign, seed, first, last)

@@ -1,36 +1,47 @@
 """
-Does a damaged plan pass? Sound plans with some sixty kinds of damage, through both checkers apart.
+Does a damaged plan pass? Sound plans, damaged in each of the ways of :mod:`benchmarks.plan_damages`, through both checkers apart.
 
 ::
 
-    python -m benchmarks.damaged_plans --count 63000 --seed 1 --state damaged.json
+    python -m benchmarks.damaged_plans --seed 1 --state damaged.json
 
-Sound plans are made of random missions over every kind of map, half of them under rules for the whole mission, and half of them with a
-front and a choice. In each way they are
-damaged one after the other, at up to eight places of each plan, no two alike. A plan whose inputs were changed is given their digests, so
-that it is the rule that must tell, not the fingerprint.
+Sound plans are made of random missions of four kinds: over every kind of map; under rules for the whole mission; with what is rare, such
+as chargers, ways home, hand-overs and lifts with room for one; and such that only a part can be done. They come in blocks of a hundred,
+and of every block ten damaged plans are asked for in each way: at most two of one plan, no two alike, at places drawn by lot. A way that
+a block has fewer places for is told of, and costs no further search. A plan whose inputs were changed is given their digests, so that it
+is the rule that must tell, not the fingerprint.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from functools import cache, lru_cache
-from itertools import count, islice
+from functools import lru_cache
+from itertools import islice
+from math import ceil
+from random import Random
 
-from benchmarks.campaign import Campaign, Verdict, run
+from benchmarks.campaign import Campaign, Rows, Verdict, luck, run
 from benchmarks.plan_damages import WAYS, Way, with_its_digests
 from missiontree.checking.case import Case, Rule
 from missiontree.checking.checker import RULES
+from missiontree.errors import InternalError
 from missiontree.mission.plan import Plan
 from missiontree.rechecking import recheck
+from tests.checking.driven_missions import crowded_mission, driven_mission, part_mission
+from tests.checking.few_runs import few_runs
 from tests.checking.missions import random_mission, ruled_mission
-from tests.checking.plans import PLANS, made
+from tests.checking.plans import PLANS, made, part_made
 
 EACH = 1000
-EIGHT = 8
-MOST = 100
+PER_BLOCK = 10  # of each way
+PER_PLAN = 2  # of each way
+BLOCK = 100  # plans
+SPARE = 1.4  # blocks, of those that would do if each had a place for all
+BLOCKS = ceil(SPARE * EACH / PER_BLOCK)
+MOST = 100  # places of a plan that are looked at
 MANY = 10_000_000
+ASKED, FOUND = "asked for", "damaged plans"
 PASSED_FIRST = "passed by the first checker"
 PASSED_SECOND = "passed by the second checker"
 
@@ -41,56 +52,94 @@ def breaks(plan: Plan, rules: Iterable[Rule] = RULES) -> set[str]:
     return {rule.__name__ for rule in rules if next(iter(rule(case)), None) is not None}
 
 
-@lru_cache(maxsize=2000)
 def base(seed: int, number: int) -> Plan | None:
     """A sound plan of that number, all of whose alternatives are scheduled; None if the mission of that number gives none."""
     if number < len(PLANS):
         return list(PLANS.values())[number]()
-    tree, brief = (ruled_mission if number % 2 else random_mission)(seed * MANY + number)
-    weighed = number % 8 < 2  # a quarter of all plans have a front and a choice, which take long to make
-    plan = made(tree, replace(brief, objective="makespan") if weighed else brief, front=weighed)
-    works = plan.schedules and all(one.status in {"optimal", "feasible"} for one in plan.schedules)
-    return plan if plan.outcome == "delivered" and works else None
+    plan = _made(number % 8, seed * MANY + number)
+    works = plan is not None and plan.schedules and all(one.status in {"optimal", "feasible"} for one in plan.schedules)
+    return plan if works else None
 
 
-def places(way: Way, plan: Plan) -> list[int]:
-    """Where the plan can be damaged in a way: up to eight places, spread over the first hundred, at which the damage differs."""
+def _made(kind: int, seed: int) -> Plan | None:
+    """The first two of eight kinds have a front and a choice, which take long to make."""
+    if kind < 4:
+        tree, brief = (ruled_mission if kind % 2 else random_mission)(seed)
+        return made(tree, replace(brief, objective="makespan") if kind < 2 else brief, front=kind < 2)
+    if kind < 7:
+        return made(*(crowded_mission if kind == 6 else driven_mission)(seed), k=2, scheduler=few_runs)
+    return part_made(*part_mission(seed))
+
+
+def places(way: Way, plan: Plan, rng: Random, most: int = PER_PLAN) -> list[Plan]:
+    """The plan damaged in a way at some places of the first hundred, such that the damage differs."""
     damaged: list[Plan] = []
     try:
         for one in islice(way.damage(plan), MOST):
             damaged.append(one)
     except ValueError:
         pass  # the damage at the next place would make something that is no plan, such as an action that ends before it starts
-    kept: list[int] = []
-    for place in range(0, len(damaged), -(-len(damaged) // EIGHT) or 1):
-        if all(damaged[place] != damaged[other] for other in kept):
-            kept.append(place)
+    kept: list[Plan] = []
+    for one in rng.sample(damaged, len(damaged)):
+        if len(kept) == most:
+            break
+        if one not in kept:
+            kept.append(one)
     return kept
 
 
-@cache
-def found(way: Way, seed: int) -> tuple[list[tuple[int, int]], Iterator[int]]:
-    """Places of a way found so far, each a plan's number and a place in it, and the numbers of the plans not yet looked at."""
-    return [], count()
+class Block:
+    """
+    A hundred plans, damaged in all ways, one plan after the other until each way has what is asked for.
+
+    Parameters
+    ----------
+    seed, number
+        Seed of the campaign and number of the block.
+    """
+
+    def __init__(self, seed: int, number: int) -> None:
+        self._seed = seed
+        self._ahead = iter(range(number * BLOCK, (number + 1) * BLOCK))
+        self._found: dict[str, list[Plan]] = {way.name: [] for way in WAYS}
+
+    def damaged(self, way: Way, number: int) -> Plan | None:
+        """The damaged plan of that number in a way; None if the block has not so many."""
+        found = self._found[way.name]
+        while len(found) <= number:
+            one = next(self._ahead, None)
+            if one is None:
+                return None
+            self._look(one)
+        return found[number]
+
+    def _look(self, number: int) -> None:
+        plan = base(self._seed, number)
+        if plan is None:
+            return
+        if refused := breaks(plan) | {one.rule for one in recheck(plan)}:
+            raise InternalError(f"plan {number} is refused before it is damaged: {', '.join(sorted(refused))}")
+        rng = luck(self._seed, number)
+        for way in WAYS:
+            found = self._found[way.name]
+            if len(found) < PER_BLOCK:
+                found += places(way, plan, rng, min(PER_PLAN, PER_BLOCK - len(found)))
 
 
-def damaged_plan(way: Way, seed: int, number: int) -> Plan:
-    """The plan of that number among those that are damaged in a way."""
-    known, ahead = found(way, seed)
-    while len(known) <= number:
-        one = next(ahead)
-        plan = base(seed, one)
-        known.extend((one, place) for place in (places(way, plan) if plan is not None else ()))
-    one, place = known[number]
-    plan = base(seed, one)
-    assert plan is not None
-    return next(islice(way.damage(plan), place, None))
+@lru_cache(maxsize=1)
+def block(seed: int, number: int) -> Block:
+    """The block of that number; only the last is kept."""
+    return Block(seed, number)
 
 
 def judge(seed: int, index: int) -> Verdict:
-    """One damaged plan before both checkers."""
-    way = WAYS[index % len(WAYS)]
-    damaged = damaged_plan(way, seed, index // len(WAYS))
+    """One damaged plan before both checkers, if there is one of that number."""
+    number, place = divmod(index, PER_BLOCK * len(WAYS))
+    nth, which = divmod(place, len(WAYS))
+    way = WAYS[which]
+    damaged = block(seed, number).damaged(way, nth)
+    if damaged is None:
+        return Verdict(way.name)
     # Its own rule is asked first: where that tells, the others need not be asked.
     first = breaks(damaged, [rule for rule in RULES if rule.__name__ == way.rule]) or breaks(with_its_digests(damaged))
     second = {one.rule for one in recheck(damaged)}
@@ -100,6 +149,7 @@ def judge(seed: int, index: int) -> Verdict:
     if not second:
         violations.append((PASSED_SECOND, way.name))
     counts = {
+        FOUND: True,
         "first refuses": bool(first),
         "by its rule": way.rule in first,
         "second refuses": bool(second),
@@ -108,13 +158,24 @@ def judge(seed: int, index: int) -> Verdict:
     return Verdict(way.name, {name: int(count) for name, count in counts.items()}, tuple(violations))
 
 
+def short_of(rows: Rows) -> Mapping[str, object]:
+    """How many damaged plans there are, and each way that has fewer than were asked for, and fewer than a thousand."""
+    told: dict[str, object] = {"ways": len(WAYS), "damaged plans": sum(row.get(FOUND, 0) for row in rows.values())}
+    for name, row in rows.items():
+        if row.get(FOUND, 0) < min(EACH, row[ASKED]):
+            told[f"of {name!r} found"] = f"{row.get(FOUND, 0)} of {min(EACH, row[ASKED])}"
+    return told
+
+
 CAMPAIGN = Campaign(
     name="damaged plans",
     about=__doc__,
-    count=EACH * len(WAYS),
+    count=BLOCKS * PER_BLOCK * len(WAYS),
     judge=judge,
     never=(PASSED_FIRST, PASSED_SECOND),
-    unit="damaged plans",
+    unit=ASKED,
+    told=short_of,
+    chunk=PER_BLOCK * len(WAYS),
 )
 
 

@@ -1199,7 +1199,7 @@ def listing_reversed(plan: Plan) -> Iterator[Plan]:
 
 @breaks("role_out_of_order")
 def action_before_its_turn(plan: Plan) -> Iterator[Plan]:
-    """An action is put at the start of the one before it in its role."""
+    """An action is put at the start of the one before it in its role, which lasts more than the millisecond that is tolerated."""
     tree = grounded_tree(plan)
     for place, schedule, number, done in scheduled(plan):
         before = [
@@ -1207,7 +1207,7 @@ def action_before_its_turn(plan: Plan) -> Iterator[Plan]:
             for other in schedule.actions
             if other.leaf < done.leaf
             and tree.action(other.leaf).role == tree.action(done.leaf).role
-            and other.end_s > other.start_s
+            and other.end_s > other.start_s + 0.01
         ]
         if before:
             start_s = max(before, key=lambda other: other.leaf).start_s
@@ -1325,13 +1325,19 @@ def _stands_below(tree: GroundedTree, node: int, above: int) -> bool:
     return node == above
 
 
+def _narrow(plan: Plan) -> set[str]:
+    """Shared resources with room for one."""
+    return {resource.id for resource in plan.brief.world.resources if resource.capacity == 1}
+
+
 @breaks("resource_overfull")
 def on_the_way_at_once(plan: Plan) -> Iterator[Plan]:
-    """A robot is on its way through what another holds on its own way."""
+    """A robot is on its way through what another holds on its own way, and what has room for one."""
+    narrow = _narrow(plan)
     world = plan.brief.world
     for place, _, number, leg in travelled(plan):
         for other in plan.schedules[place].legs:
-            shared = {*world.passed(leg.via)} & {*world.passed(other.via)}
+            shared = {*world.passed(leg.via)} & {*world.passed(other.via)} & narrow
             if other.robot != leg.robot and shared and min(leg.end_s - leg.start_s, other.end_s - other.start_s) > 1:
                 end_s = round(other.start_s + leg.end_s - leg.start_s, 3)
                 yield with_leg(plan, place, number, start_s=other.start_s, end_s=end_s)
@@ -1340,10 +1346,10 @@ def on_the_way_at_once(plan: Plan) -> Iterator[Plan]:
 @breaks("resource_overfull")
 def held_at_once(plan: Plan) -> Iterator[Plan]:
     """An action that fills a shared resource is put to the same time as another that holds it."""
-    tree = grounded_tree(plan)
+    tree, narrow = grounded_tree(plan), _narrow(plan)
     for place, schedule, number, done in scheduled(plan):
         for other in schedule.actions:
-            shared = {*tree.action(done.leaf).holds} & {*tree.action(other.leaf).holds}
+            shared = {*tree.action(done.leaf).holds} & {*tree.action(other.leaf).holds} & narrow
             if other.robot != done.robot and shared and min(done.end_s - done.start_s, other.end_s - other.start_s) > 1:
                 end_s = round(other.start_s + done.end_s - done.start_s, 3)
                 yield with_done(plan, place, number, start_s=other.start_s, end_s=end_s)
@@ -1429,8 +1435,10 @@ def fleet_slowed(plan: Plan) -> Iterator[Plan]:
 
 @breaks("leg_at_wrong_time")
 def leg_late(plan: Plan) -> Iterator[Plan]:
-    for place, _, number, leg in travelled(plan):
-        yield with_leg(plan, place, number, end_s=leg.end_s + 500)
+    """It ends long after the action that it leads to."""
+    for place, schedule, number, leg in travelled(plan):
+        over_s = max((done.end_s for done in schedule.actions if done.leaf == leg.leaf), default=0.0)
+        yield with_leg(plan, place, number, end_s=max(over_s, leg.end_s) + 500)
 
 
 @breaks("leg_via_broken")
@@ -1909,9 +1917,13 @@ def refilled_nowhere(plan: Plan) -> Iterator[Plan]:
 
 @breaks("recharge_not_allowed")
 def charger_for_others(plan: Plan) -> Iterator[Plan]:
+    """A charger that a robot visits serves all types but its own."""
     scene = plan.brief.scene
-    if scene is not None and scene.chargers:
-        closed = tuple(replace(charger, types=("hauler",)) for charger in scene.chargers)
+    for _, _, _, visit in refilled(plan):
+        own = plan.brief.fleet.type_of[visit.robot].id
+        others = tuple(kind.id for kind in plan.brief.fleet.types if kind.id != own)
+        assert scene is not None
+        closed = tuple(replace(one, types=others) if one.id == visit.charger else one for one in scene.chargers)
         yield with_brief(plan, scene=replace(scene, chargers=closed))
 
 
@@ -1939,8 +1951,38 @@ def charger_not_waited_for(plan: Plan) -> Iterator[Plan]:
 
 @breaks("level_below_nothing")
 def refilled_too_little(plan: Plan) -> Iterator[Plan]:
-    for place, _, number, visit in refilled(plan):
-        yield with_visit(plan, place, number, amount=visit.amount / 2)
+    """A robot takes in nine tenths of what it lacks, whatever it took in."""
+    stock_of = {charger.id: charger.stock for charger in plan.brief.world.chargers}
+    for place, schedule in schedules(plan):
+        for robot, stock in dict.fromkeys((visit.robot, stock_of[visit.charger]) for visit in schedule.recharges):
+            own = [
+                number
+                for number, visit in enumerate(schedule.recharges)
+                if (visit.robot, stock_of[visit.charger]) == (robot, stock)
+            ]
+            taken = sum(schedule.recharges[number].amount for number in own)
+            lacking = _used(plan, schedule, robot, stock) - _held_at_first(plan, robot, stock)
+            if lacking > 0.1:
+                damaged = plan
+                for number in own:
+                    amount = 0.9 * lacking * schedule.recharges[number].amount / taken
+                    damaged = with_visit(damaged, place, number, amount=amount)
+                yield damaged
+
+
+def _used(plan: Plan, schedule: Schedule, robot: str, stock: str) -> float:
+    """What a robot uses of a stock, ways to chargers and home included."""
+    own = [*schedule.returns, *(visit.leg for visit in schedule.recharges if visit.leg is not None)]
+    metres = sum(leg.distance_m for leg in schedule.legs if leg.robot == robot)
+    metres += sum(leg.distance_m for leg in own if leg.robot == robot)
+    tree = grounded_tree(plan)
+    acting = sum(tree.action(done.leaf).uses.get(stock, 0.0) for done in schedule.actions if done.robot == robot)
+    return acting + metres * plan.brief.fleet.type_of[robot].uses_per_m.get(stock, 0.0)
+
+
+def _held_at_first(plan: Plan, robot: str, stock: str) -> float:
+    kind = plan.brief.fleet.type_of[robot]
+    return kind.budget(plan.brief.fleet.robots[robot], stock) or 0.0
 
 
 @breaks("level_above_full")

@@ -34,6 +34,7 @@ from missiontree.planner import plan, plan_authored
 from missiontree.routines.ground import ground
 from missiontree.routines.library import built_in
 from missiontree.scheduling import SCHEDULERS
+from missiontree.scheduling.scheduler import Scheduler
 from tests.builders import brief_of, flat_tree, rescue_tree, reunite_tree, routine_node
 
 NOTHING_FOUND = Reason(rule="nothing_found", message="Nothing was found in the time given.")
@@ -46,24 +47,23 @@ def made(
     k: int = 4,
     allocator: str = "exact",
     estimator: Estimator | None = None,
-    scheduler: str = "greedy",
+    scheduler: str | Scheduler = "greedy",
     front: bool = False,
 ) -> Plan:
     """The plan that missiontree makes of a tree."""
+    schedule = SCHEDULERS[scheduler] if isinstance(scheduler, str) else scheduler
     grounding = ground(tree, brief, estimator)
     flat = flatten(grounding.tree, brief.fleet, brief.weights, brief.terms)
     ranking = allocator_for(allocator, brief.aim)(flat, brief.fleet, brief.weights, k, Control())
     scene = brief.world.extended(tree.entities)
     schedules = tuple(
-        SCHEDULERS[scheduler](grounding.tree, alternative, brief.fleet, scene, Control(), brief.terms)
+        schedule(grounding.tree, alternative, brief.fleet, scene, Control(), brief.terms)
         for alternative in ranking.alternatives
     )
     works = any(schedule.status in {"optimal", "feasible"} for schedule in schedules)
     choice = NO_CHOICE
     if works and (front or brief.objective != "utility"):
-        choice = choose(
-            grounding.tree, brief, scene, SCHEDULERS[scheduler], Control(), ranking, schedules, front, most=8
-        )
+        choice = choose(grounding.tree, brief, scene, schedule, Control(), ranking, schedules, front, most=8)
     complete = ranking.status == "exact" and ranking.certificate.bound is None and not brief.diverse
     impossible = complete and all(schedule.status == "infeasible" for schedule in schedules)
     undelivered: Outcome = "cannot_be_done" if impossible or ranking.status == "infeasible" else "exhausted"
@@ -523,14 +523,19 @@ def measured() -> Plan:
     )
 
 
+def part_made(tree: MissionTree, brief: MissionBrief) -> Plan | None:
+    """The plan for the largest part of a mission, the whole of which cannot be done."""
+    authored = authored_from_tree(tree, brief)
+    request = Request(brief=brief)
+    return nearest_part(plan_authored(request, authored, Control()), request, authored, Control())
+
+
 @cache
 def partial() -> Plan:
     """The largest part of the rescue without the robot that carries: both searches, one of them for more than the rest."""
     tree = rescue_tree()
     brief = brief_of(tree, without=("transportation_robot",), parts={"firefighter": 2.5})
-    authored = authored_from_tree(tree, brief)
-    request = Request(brief=brief)
-    found = nearest_part(plan_authored(request, authored, Control()), request, authored, Control())
+    found = part_made(tree, brief)
     assert found is not None
     return found
 
