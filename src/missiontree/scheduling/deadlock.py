@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.board import Board
+from missiontree.scheduling.shortage import shortage
 
 
 def deadlock_reason(board: Board) -> Reason:
-    """The first action that finds no robot, and the robots that are held meanwhile."""
+    """The first action that finds no robot, and the robots that are held meanwhile, or what keeps them from it."""
     held = [robot for robot in board.world.robots.values() if robot.role is not None]
     roles = board.graph.tree.roles
     waits = [activity for activity in range(len(board.graph.activities)) if activity not in board.placed]
@@ -23,6 +24,8 @@ def deadlock_reason(board: Board) -> Reason:
             found=leaving[0],
             hint="Let a robot stay longer (available_until_s), or add another.",
         )
+    if not held and (short := shortage(board, board.graph.tree.action(first).role)) is not None:
+        return short
     who = ", ".join(f"{robot.id} in {roles[robot.role].label!r}" for robot in held[:4] if robot.role is not None)
     return Reason(
         rule="deadlock",
