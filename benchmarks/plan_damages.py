@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from benchmarks import own_way_damages as own
 from missiontree.formats.inputs import input_digests
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
@@ -318,6 +319,19 @@ WAYS = (
     Way("charger reached by no way", known.charger_reached_by_no_way, "own_leg_missing", "core_refill"),
     Way("charger reached by another", known.charger_reached_by_another, "own_leg_misplaced", "core_refill"),
     Way("refilled before it is there", known.refilled_before_it_is_there, "own_leg_at_wrong_time", "core_refill"),
+    Way("way to a charger shortened", own.charger_way_shortened, "own_leg_understated", "core_refill"),
+    Way("way to a charger at twice the speed", own.charger_way_hurried, "own_leg_too_fast", "core_refill"),
+    Way("way to a charger from or to elsewhere", own.charger_way_from_elsewhere, "own_leg_misplaced", "core_refill"),
+    Way("way to a charger before it is free", own.charger_way_too_early, "own_leg_at_wrong_time", "core_refill"),
+    Way("refilled within a role", own.refilled_within_a_role, "recharge_overlap", "core_refill"),
+    Way("on the way home at once", own.home_at_once, "resource_overfull", "core_shared"),
+    Way("on the way to a charger at once", own.charger_and_way_at_once, "resource_overfull", "core_shared"),
+    Way("robot gone before it is home", own.gone_before_it_is_home, "robot_away", "core_available"),
+    Way("robot on its way before it comes", own.come_after_it_set_out, "robot_away", "core_available"),
+    Way("budget not for the way home", own.budget_not_for_the_way_home, "budget_exceeded", "core_budget"),
+    Way("total not for own ways", own.total_not_for_own_ways, "mission_budget_exceeded", "core_mission_total"),
+    Way("task after it is due", own.tasks_due_earlier, "deadline_missed", "core_deadline"),
+    Way("task before its release", own.tasks_released_later, "release_broken", "core_release"),
     Way("blind move hurried", known.blind_move_hurried, "move_too_short", "core_travel"),
     Way("budget stretched", budget_cut, "budget_exceeded", "core_budget"),
     Way("budget of a type stretched", type_total_cut, "total_budget_exceeded", "core_type_total"),

@@ -1325,7 +1325,7 @@ def _stands_below(tree: GroundedTree, node: int, above: int) -> bool:
     return node == above
 
 
-def _narrow(plan: Plan) -> set[str]:
+def room_for_one(plan: Plan) -> set[str]:
     """Shared resources with room for one."""
     return {resource.id for resource in plan.brief.world.resources if resource.capacity == 1}
 
@@ -1333,7 +1333,7 @@ def _narrow(plan: Plan) -> set[str]:
 @breaks("resource_overfull")
 def on_the_way_at_once(plan: Plan) -> Iterator[Plan]:
     """A robot is on its way through what another holds on its own way, and what has room for one."""
-    narrow = _narrow(plan)
+    narrow = room_for_one(plan)
     world = plan.brief.world
     for place, _, number, leg in travelled(plan):
         for other in plan.schedules[place].legs:
@@ -1346,7 +1346,7 @@ def on_the_way_at_once(plan: Plan) -> Iterator[Plan]:
 @breaks("resource_overfull")
 def held_at_once(plan: Plan) -> Iterator[Plan]:
     """An action that fills a shared resource is put to the same time as another that holds it."""
-    tree, narrow = grounded_tree(plan), _narrow(plan)
+    tree, narrow = grounded_tree(plan), room_for_one(plan)
     for place, schedule, number, done in scheduled(plan):
         for other in schedule.actions:
             shared = {*tree.action(done.leaf).holds} & {*tree.action(other.leaf).holds} & narrow
@@ -1961,7 +1961,7 @@ def refilled_too_little(plan: Plan) -> Iterator[Plan]:
                 if (visit.robot, stock_of[visit.charger]) == (robot, stock)
             ]
             taken = sum(schedule.recharges[number].amount for number in own)
-            lacking = _used(plan, schedule, robot, stock) - _held_at_first(plan, robot, stock)
+            lacking = used(plan, schedule, robot, stock) - _held_at_first(plan, robot, stock)
             if lacking > 0.1:
                 damaged = plan
                 for number in own:
@@ -1970,14 +1970,18 @@ def refilled_too_little(plan: Plan) -> Iterator[Plan]:
                 yield damaged
 
 
-def _used(plan: Plan, schedule: Schedule, robot: str, stock: str) -> float:
+def used(plan: Plan, schedule: Schedule, robot: str, stock: str) -> float:
     """What a robot uses of a stock, ways to chargers and home included."""
-    own = [*schedule.returns, *(visit.leg for visit in schedule.recharges if visit.leg is not None)]
     metres = sum(leg.distance_m for leg in schedule.legs if leg.robot == robot)
-    metres += sum(leg.distance_m for leg in own if leg.robot == robot)
+    metres += sum(leg.distance_m for leg in own_legs(schedule) if leg.robot == robot)
     tree = grounded_tree(plan)
     acting = sum(tree.action(done.leaf).uses.get(stock, 0.0) for done in schedule.actions if done.robot == robot)
     return acting + metres * plan.brief.fleet.type_of[robot].uses_per_m.get(stock, 0.0)
+
+
+def own_legs(schedule: Schedule) -> list[OwnLeg]:
+    """Ways to chargers and home."""
+    return [*schedule.returns, *(visit.leg for visit in schedule.recharges if visit.leg is not None)]
 
 
 def _held_at_first(plan: Plan, robot: str, stock: str) -> float:

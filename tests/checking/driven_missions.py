@@ -52,9 +52,9 @@ def point(rng: random.Random, floor: str = "ground") -> Position:
     return Position(rng.randrange(41) / 2, rng.randrange(41) / 2, floor)
 
 
-def driven_scene(rng: random.Random) -> Scene:
-    """Open ground, or roads on two floors between which a lift goes that has room for one; with one to three chargers."""
-    roads = rng.random() < 0.6
+def driven_scene(rng: random.Random, on_roads: float = 0.6) -> Scene:
+    """Open ground, or roads on two floors between which a lift goes that has room for one; with up to two chargers, and a tap."""
+    roads = rng.random() < on_roads
     upper = "upper" if roads else "ground"
     floors = {"loft": upper, "attic": upper}
     places = tuple(Entity(id=name, kind="place", position=point(rng, floors.get(name, "ground"))) for name in PLACES)
@@ -62,7 +62,7 @@ def driven_scene(rng: random.Random) -> Scene:
         Entity(id=name, mass_kg=rng.choice((5.0, 40.0)), position=point(rng, rng.choice(("ground", "ground", upper))))
         for name in SPOTS
     )
-    chargers = tuple(driven_charger(rng, f"plug{number}") for number in range(rng.choice((1, 1, 2))))
+    chargers = tuple(driven_charger(rng, f"plug{number}") for number in range(rng.choice((0, 1, 1, 2))))
     scene = Scene(
         places=places,
         entities=entities,
@@ -75,7 +75,7 @@ def driven_scene(rng: random.Random) -> Scene:
 def driven_charger(rng: random.Random, name: str) -> Charger:
     """At a place or a point; for one or two robots, of some types or of all."""
     where: dict[str, object] = (
-        {"place": rng.choice(("hall", "dock"))} if rng.random() < 0.5 else {"position": point(rng)}
+        {"place": rng.choice(("hall", "dock", "loft"))} if rng.random() < 0.5 else {"position": point(rng)}
     )
     return Charger(
         id=name,
@@ -218,7 +218,7 @@ def driven_mission(seed: int) -> tuple[MissionTree, MissionBrief]:
     return calls.tree(), driven_brief(rng)
 
 
-def driven_brief(rng: random.Random) -> MissionBrief:
+def driven_brief(rng: random.Random, on_roads: float = 0.6) -> MissionBrief:
     """A fleet of two types and one that does nothing, whom most of these missions send home, by a deadline at times."""
     fleet = Fleet((driven_type(rng, "t0"), driven_type(rng, "t1"), RobotType(id="idle", count=1, position=point(rng))))
     home = rng.random() < 0.75
@@ -226,7 +226,7 @@ def driven_brief(rng: random.Random) -> MissionBrief:
         "Mission",
         fleet,
         driven_routines(),
-        scene=driven_scene(rng),
+        scene=driven_scene(rng, on_roads),
         return_home=home,
         deadline_s=rng.choice((None, 2500.0)),
     )
@@ -240,7 +240,7 @@ def crowded_mission(seed: int) -> tuple[MissionTree, MissionBrief]:
         calls.call("Look", agent=rng.choice(SPOTS[:3]))
     if rng.random() < 0.25:
         calls.link("call0", "call1", "same_robot")
-    brief = driven_brief(rng)
+    brief = driven_brief(rng, on_roads=0.85)
     kind = RobotType(
         id="t0",
         count=2,
@@ -254,7 +254,7 @@ def crowded_mission(seed: int) -> tuple[MissionTree, MissionBrief]:
     plug = Charger(
         id="plug",
         rate_per_s=rng.choice((1.0, 2.0)),
-        place=rng.choice(("hall", "dock")),
+        place=rng.choice(("hall", "dock", "loft")),
         types=rng.choice((None, ("t0", "t1"))),
     )
     return calls.tree(), replace(brief, fleet=Fleet(types), scene=replace(brief.scene, chargers=(plug,)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 from missiontree.allocation.aimed import allocator_for
 from missiontree.allocation.flat import flatten
@@ -601,6 +602,18 @@ def weighed() -> Plan:
     return made(tree, brief, scheduler="auto")
 
 
+def looking(energy_j: float) -> RoutineLibrary:
+    """A look that takes 20 s and so much energy."""
+    look = ActionStep(name="look", text="Look at {agent}", duration_s=20.0, at="agent", uses={"energy_j": energy_j})
+    inspect = Routine(
+        id="Look",
+        purpose="Look at {agent}",
+        arguments=(Argument(name="agent", kinds=THINGS),),
+        branches=(Branch(name="look", roles=(RoleSpec(name="looker", rating="look", actions=(look,)),)),),
+    )
+    return RoutineLibrary(routines=(inspect,))
+
+
 @cache
 def refilling() -> Plan:
     """
@@ -608,13 +621,6 @@ def refilling() -> Plan:
 
     One rover does two of them. Both refill, and one of them waits for the other.
     """
-    look = ActionStep(name="look", text="Look at {agent}", duration_s=20.0, at="agent", uses={"energy_j": 50.0})
-    inspect = Routine(
-        id="Look",
-        purpose="Look at {agent}",
-        arguments=(Argument(name="agent", kinds=THINGS),),
-        branches=(Branch(name="look", roles=(RoleSpec(name="looker", rating="look", actions=(look,)),)),),
-    )
     spots = {"pump": (20, 0), "valve": (20, 20), "tank": (0, 20)}
     scene = Scene(
         places=(Entity(id="dock", kind="place", position=Position(10, 10)),),
@@ -637,11 +643,61 @@ def refilling() -> Plan:
     tree = flat_tree(*(routine_node(f"see-{name}", "Look", agent=name) for name in spots))
     return made(
         tree,
-        brief_of(tree, fleet, RoutineLibrary(routines=(inspect,)), scene=scene, return_home=True, deadline_s=300.0),
+        brief_of(tree, fleet, looking(50.0), scene=scene, return_home=True, deadline_s=300.0),
     )
 
 
+@cache
+def upstairs() -> Plan:
+    """
+    A rover with 40 J of 100 J, a scout with 200 J, and a lift that has room for one; a look upstairs takes 50 J, and then they go home.
+
+    The charger for rovers is upstairs, so both go up by the lift at first, and down at last.
+    """
+    scene = Scene(
+        places=(Entity(id="landing", kind="place", position=Position(10, 0, "upper")),),
+        entities=tuple(
+            Entity(id=name, position=Position(x_m, 0, "upper")) for name, x_m in (("pump", 20), ("valve", 25))
+        ),
+        roads=RoadGraph(
+            nodes=(
+                RoadNode(id="shaft", position=Position(5, 0)),
+                RoadNode(id="top", position=Position(5, 0, "upper")),
+                RoadNode(id="end", position=Position(20, 0, "upper")),
+            ),
+            roads=(Road(ends=("top", "end")),),
+            lifts=(Lift(id="lift", stops=("shaft", "top"), ride_s=10, resource="cabin"),),
+        ),
+        resources=(SharedResource(id="cabin"),),
+        chargers=(Charger(id="plug", place="landing", rate_per_s=5.0, types=("rover",)),),
+    )
+    common: dict[str, Any] = {"capabilities": {"look": 1.0}, "uses_per_m": {"energy_j": 0.5}}
+    fleet = Fleet(
+        (
+            RobotType(
+                id="rover",
+                robots=(Robot(id="roy", position=Position(0, 0), remaining={"energy_j": 40.0}),),
+                limits={"max_speed_mps": 1.0, "energy_j": 100.0},
+                **common,
+            ),
+            RobotType(
+                id="scout",
+                count=1,
+                position=Position(0, 0),
+                limits={"max_speed_mps": 1.0, "energy_j": 200.0},
+                **common,
+            ),
+        )
+    )
+    tree = flat_tree(
+        routine_node("see-pump", "Look", ("rover",), agent="pump"),
+        routine_node("see-valve", "Look", ("scout",), agent="valve"),
+    )
+    return made(tree, brief_of(tree, fleet, looking(50.0), scene=scene, return_home=True))
+
+
 PLANS = {
+    "upstairs": upstairs,
     "refilling": refilling,
     "partial": partial,
     "homeward": homeward,

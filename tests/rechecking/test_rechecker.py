@@ -18,11 +18,11 @@ from missiontree.rechecking import CORE_RULES, recheck
 from tests.checking.damages import DAMAGES
 from tests.checking.plans import PLANS
 
-MOST_PLACES = 4
+MOST_PLACES = 3
 
 
 def spread(way: Way, plan: Plan) -> list[Plan]:
-    """The plan damaged at up to four places, spread over the first sixty that there are."""
+    """The plan damaged at up to three places, spread over the first sixty that there are."""
     found = list(islice(way.damage(plan), 60))
     return found[:: -(-len(found) // MOST_PLACES)] if found else []
 
