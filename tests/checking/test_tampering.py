@@ -47,6 +47,7 @@ AS_SOUND = tuple(
     for pattern in (
         # a detour, a robot that sets out at another time, a following that starts at another time
         r"(schedules/\d+|front/options/\d+/schedule|chosen/option/schedule)/legs/\d+/(distance_m|start_s|end_s)",
+        r"(schedules/\d+|front/options/\d+/schedule|chosen/option/schedule)/(returns/\d+|recharges/\d+/leg)/distance_m",
         r"(schedules/\d+|front/options/\d+/schedule|chosen/option/schedule)/actions/\d+/start_s",
         # a weaker claim than could be made
         r"(ranking|ranking/alternatives/\d+|schedules/\d+)/certificate/(bound|claim)",
