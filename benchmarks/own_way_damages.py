@@ -159,6 +159,13 @@ def refilled_within_a_role(plan: Plan) -> Iterator[Plan]:
                 yield known.with_visit(plan, place, number, start_s=start_s, end_s=end_s, leg=None)
 
 
+def refilled_twice_at_once(plan: Plan) -> Iterator[Plan]:
+    """A visit to a charger is listed twice."""
+    for place, schedule, _, visit in refilled(plan):
+        if visit.end_s - visit.start_s > 0.01:
+            yield known.with_schedule(plan, place, recharges=(*schedule.recharges, visit))
+
+
 def tasks_due_earlier(plan: Plan) -> Iterator[Plan]:
     """A node above an action is due before that action ends."""
     nodes = grounded_tree(plan).nodes

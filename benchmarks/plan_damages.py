@@ -324,6 +324,7 @@ WAYS = (
     Way("way to a charger from or to elsewhere", own.charger_way_from_elsewhere, "own_leg_misplaced", "core_refill"),
     Way("way to a charger before it is free", own.charger_way_too_early, "own_leg_at_wrong_time", "core_refill"),
     Way("refilled within a role", own.refilled_within_a_role, "recharge_overlap", "core_refill"),
+    Way("refilled twice at once", own.refilled_twice_at_once, "recharge_overlap", "core_refill"),
     Way("on the way home at once", own.home_at_once, "resource_overfull", "core_shared"),
     Way("on the way to a charger at once", own.charger_and_way_at_once, "resource_overfull", "core_shared"),
     Way("robot gone before it is home", own.gone_before_it_is_home, "robot_away", "core_available"),

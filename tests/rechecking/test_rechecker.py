@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from itertools import islice
 
 import pytest
@@ -15,7 +16,7 @@ from benchmarks.plan_damages import WAYS, Way, with_its_digests
 from missiontree.checking import check, checker
 from missiontree.mission.plan import Plan
 from missiontree.rechecking import CORE_RULES, recheck
-from tests.checking.damages import DAMAGES
+from tests.checking.damages import DAMAGES, with_brief, with_kind, with_schedule
 from tests.checking.plans import PLANS
 
 MOST_PLACES = 3
@@ -67,6 +68,18 @@ def test_the_last_word_is_the_second_checkers_where_the_first_is_silent(monkeypa
     assert check(plan) == ()
     damaged = next(way for way in WAYS if way.name == "makespan changed").damage(plan)
     assert "core_makespan" in {one.rule for one in check(next(damaged))}
+
+
+def test_a_visit_to_a_charger_that_is_listed_twice_is_two_at_one_time() -> None:
+    """Even where the charger has room for two, and the robot for twice as much."""
+    plan = PLANS["upstairs"]()
+    scene = plan.brief.scene
+    assert scene is not None
+    roomy = with_brief(plan, scene=replace(scene, chargers=tuple(replace(one, capacity=2) for one in scene.chargers)))
+    large = with_kind(roomy, "rover", limits={"max_speed_mps": 1.0, "energy_j": 1000.0})
+    assert recheck(large) == []
+    twice = with_schedule(large, 0, recharges=large.schedules[0].recharges * 2)
+    assert "core_refill" in {one.rule for one in recheck(twice)}
 
 
 @given(st.sampled_from(sorted(PLANS)), st.integers(0, 2**32), st.integers(1, 4))

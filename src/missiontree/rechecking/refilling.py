@@ -48,7 +48,8 @@ def visits_are_possible(facts: Facts) -> Iterator[Reason]:
 def visits_are_made_between_roles(facts: Facts) -> Iterator[Reason]:
     """A robot comes to a charger from where it was, in time, and is in no role while it is there; it goes on from there."""
     for robot in facts.roles_of_robot:
-        for visit in _visits(facts, robot):
+        visits = _visits(facts, robot)
+        for number, visit in enumerate(visits):
             start, end = milliseconds(visit.start_s), milliseconds(visit.end_s)
             for role in facts.roles_of_robot[robot]:
                 begun, over = facts.hold_of(role)
@@ -58,9 +59,9 @@ def visits_are_made_between_roles(facts: Facts) -> Iterator[Reason]:
                 off, there = milliseconds(leg.start_s), milliseconds(leg.end_s)
                 if leg.robot == robot and start + TICK_MS < there and off + TICK_MS < end:
                     yield broken(RULE, f"{robot} travels while it refills at {visit.charger}.", robot=robot)
-            for other in _visits(facts, robot):
+            for place, other in enumerate(visits):
                 if (
-                    other is not visit
+                    place != number
                     and start + TICK_MS < milliseconds(other.end_s)
                     and milliseconds(other.start_s) + TICK_MS < end
                 ):
