@@ -22,7 +22,8 @@ from missiontree.scheduling.writing import found_schedule, impossible_schedule, 
 
 WORKING = frozenset({"optimal", "feasible"})
 FIRST_RUNS = 4
-FEW_STEPS = 2_000  # of trying everything out
+FEW_STEPS, STEPS_AND_LEAVES = 2_000, 15_000
+"""Steps of trying everything out, and those times the actions: a step takes longer, the more there are."""
 THOROUGH = "auto"
 """Scheduler that is asked where the quick one proves nothing."""
 
@@ -38,7 +39,8 @@ def any_schedule(
     runs.go(FIRST_RUNS, anyway=True)
     proof = None
     if runs.best is None:
-        runs.best, proof = tried_out(problem, None, partial(horizon_of, problem), FEW_STEPS, control.ended)
+        steps = min(FEW_STEPS, STEPS_AND_LEAVES // len(problem.graph.activities))
+        runs.best, proof = tried_out(problem, None, partial(horizon_of, problem), steps, control.ended)
     if runs.best is None and proof is None:
         runs.go(MAX_RUNS)
     if runs.best is not None:

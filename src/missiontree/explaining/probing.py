@@ -23,6 +23,8 @@ from missiontree.mission.schedule import Schedule
 from missiontree.planner import MAX_DRAWN, plan_authored
 from missiontree.routines.ground import ground
 
+FEW_DRAWN = 4
+"""Alternatives drawn where some stay undecided: nothing can be proven then, and each takes long."""
 THOROUGH = "auto"
 """Scheduler that is asked where the quick one proves nothing."""
 
@@ -105,7 +107,8 @@ class Prober:
                     done[alternative.choices] = schedule
                     if schedule.status in WORKING:
                         return Answer(True, grounding, ranking, (schedule,))
-            if len(ranking.alternatives) < wanted or wanted >= MAX_DRAWN or self.ended():
+            open_ = any(schedule.status == "unknown" for schedule in done.values())
+            if len(ranking.alternatives) < wanted or wanted >= (FEW_DRAWN if open_ else MAX_DRAWN) or self.ended():
                 break
             wanted *= 4
         return self._settled(grounding, ranking, done)

@@ -3,8 +3,8 @@ What times allow and no order of events does, because something takes no time; s
 
 The giver of a hand-over ends when the taker starts, and both are one moment: an activity without length could stand there, after the
 one for some reason and before the other for another. What lasts until something ends is over then, so that its robot could go on to
-just that, if it takes no time. Rules of schedules speak of times, and do not forbid it. So nothing but answers may be taken from a
-model that does.
+just that, if it takes no time. And of two things that a robot does at one moment, one could be first for the robot and the other for
+what they move. Rules of schedules speak of times, and do not forbid it. So nothing but answers may be taken from a model that does.
 """
 
 from __future__ import annotations
@@ -19,16 +19,27 @@ from missiontree.scheduling.problem import Problem
 
 
 def keep_to_orders(model: Model, problem: Problem, times: Times, ordering: Ordering, tours: Sequence[Tours]) -> None:
-    """
-    Keep activities without length out of hand-overs, and robots from waiting for themselves.
-
-    Reasons to come after a giver or before a taker are a resource without room for both, one robot for both, an order that is certain, or
-    that a robot does the one role right after the other. Longer chains of activities without length are left out.
-    """
+    """Keep activities without length out of hand-overs, robots from waiting for themselves, and one order of what a robot does."""
+    for pair in sorted(ordering.literals):
+        for first, second in (pair, pair[::-1]):
+            for arc in _arcs(problem, tours, first, second):
+                model.implies((arc,), ordering.before(first, second))
     for open_ended, ends in sorted(problem.graph.until.items()):
         for one in sorted(ends):
             for arc in _arcs(problem, tours, open_ended, one):
                 model.clause(negated(arc))
+    _keep_hand_overs_whole(model, problem, times, ordering, tours)
+
+
+def _keep_hand_overs_whole(
+    model: Model, problem: Problem, times: Times, ordering: Ordering, tours: Sequence[Tours]
+) -> None:
+    """
+    Keep activities without length out of hand-overs.
+
+    Reasons to come after a giver or before a taker are a resource without room for both, one robot for both, an order that is certain, or
+    that a robot does the one role right after the other. Longer chains of activities without length are left out.
+    """
     rivals = {frozenset(pair) for name in problem.sharing.capacity for pair in problem.sharing.rivals(name)}
     instants = [one for one in range(len(times.start)) if not problem.bounds.duration[one]]
     for giver, taker in sorted(problem.hand_overs.taker.items()):
