@@ -11,7 +11,7 @@ from missiontree.mission.plan import Plan
 from missiontree.mission.position import Position
 from missiontree.mission.schedule import Leg, OwnLeg, Schedule
 from tests.checking import damages as known
-from tests.checking.damages import grounded_tree, refilled, returning, scheduled, schedules, with_kind
+from tests.checking.damages import grounded_tree, moves, refilled, returning, scheduled, schedules, travelled, with_kind
 
 
 def to_a_charger(plan: Plan) -> Iterator[tuple[int, int, OwnLeg]]:
@@ -157,6 +157,13 @@ def refilled_within_a_role(plan: Plan) -> Iterator[Plan]:
             if max(done.end_s for done in own) - start_s > 1 and lasts_s > 1:
                 end_s = round(start_s + lasts_s, 3)
                 yield known.with_visit(plan, place, number, start_s=start_s, end_s=end_s, leg=None)
+
+
+def leg_backwards(plan: Plan) -> Iterator[Plan]:
+    """A leg to an action ends a second before it starts."""
+    for place, _, number, leg in travelled(plan):
+        if leg.end_s > 1 and not moves(plan, leg.leaf):
+            yield known.with_leg(plan, place, number, start_s=leg.end_s, end_s=round(leg.end_s - 1, 3))
 
 
 def refilled_twice_at_once(plan: Plan) -> Iterator[Plan]:

@@ -300,6 +300,7 @@ WAYS = (
     Way("leg of no length", leg_of_no_length, "leg_understated", "core_travel"),
     Way("leg at twice the speed", known.leg_hurried, "leg_too_fast", "core_travel"),
     Way("robots half as fast", slower_than_it_drives, "leg_too_fast", "core_travel"),
+    Way("leg that ends before it starts", own.leg_backwards, "leg_at_wrong_time", "core_travel"),
     Way("leg too late", known.leg_late, "leg_at_wrong_time", "core_travel"),
     Way("way home left out", known.return_dropped, "own_leg_missing", "core_home"),
     Way("way home twice", known.return_doubled, "return_extra", "core_home"),

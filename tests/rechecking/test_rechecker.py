@@ -14,10 +14,16 @@ from benchmarks.campaign import made
 from benchmarks.damaged_plans import CAMPAIGN, breaks
 from benchmarks.plan_damages import WAYS, Way, with_its_digests
 from missiontree.checking import check, checker
+from missiontree.mission.entity import Entity
+from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.plan import Plan
+from missiontree.mission.position import Position
+from missiontree.mission.scene import Scene
 from missiontree.rechecking import CORE_RULES, recheck
-from tests.checking.damages import DAMAGES, with_brief, with_kind, with_schedule
-from tests.checking.plans import PLANS
+from tests.builders import brief_of, flat_tree, routine_node
+from tests.checking.damages import DAMAGES, with_brief, with_kind, with_leg, with_schedule
+from tests.checking.plans import PLANS, looking
+from tests.checking.plans import made as plan_made
 
 MOST_PLACES = 3
 
@@ -80,6 +86,16 @@ def test_a_visit_to_a_charger_that_is_listed_twice_is_two_at_one_time() -> None:
     assert recheck(large) == []
     twice = with_schedule(large, 0, recharges=large.schedules[0].recharges * 2)
     assert "core_refill" in {one.rule for one in recheck(twice)}
+
+
+def test_a_way_ends_after_it_starts_whatever_the_speed() -> None:
+    """A robot of no known speed looks at a pump from 10 s on: the way to it takes no time that is known, and not less."""
+    eye = RobotType(id="eye", count=1, capabilities={"look": 1.0}, position=Position(0, 0))
+    scene = Scene(entities=(Entity(id="pump", position=Position(20, 0)),))
+    tree = flat_tree(replace(routine_node("see", "Look", agent="pump"), release_s=10.0))
+    plan = plan_made(tree, brief_of(tree, Fleet((eye,)), looking(0.0), scene=scene))
+    assert recheck(plan) == []
+    assert {one.rule for one in recheck(with_leg(plan, 0, 0, start_s=5.0, end_s=4.0))} == {"core_travel"}
 
 
 @given(st.sampled_from(sorted(PLANS)), st.integers(0, 2**32), st.integers(1, 4))

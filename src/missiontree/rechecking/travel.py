@@ -65,6 +65,8 @@ def _leg_joins(
         )
     if there is None or not same_place(leg.destination, there):
         yield wrong(f"{leg.robot} travels to {_shown(leg.destination)}, and {facts.label(leg.leaf)} is elsewhere.")
+    if end < start:
+        yield wrong(f"the travel to {facts.label(leg.leaf)} ends before it starts.")
     if facts.leaves[leg.leaf].moves:
         if abs(start - facts.start_ms[leg.leaf]) > TICK_MS or abs(end - facts.end_ms[leg.leaf]) > TICK_MS:
             yield wrong(f"{facts.label(leg.leaf)} is a move, and has not the time of its own travel.")
