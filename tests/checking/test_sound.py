@@ -7,8 +7,10 @@ from dataclasses import replace
 import pytest
 
 from missiontree.checking import check
+from tests.checking.driven_missions import crowded_mission, driven_mission, part_mission
+from tests.checking.few_runs import few_runs
 from tests.checking.missions import random_mission, ruled_mission
-from tests.checking.plans import made
+from tests.checking.plans import made, part_made
 
 BATCH = 20
 
@@ -51,3 +53,26 @@ def test_plans_of_the_other_allocators_have_no_findings(allocator: str) -> None:
     """Thirty missions each."""
     for seed in range(500, 530):
         assert check(made(*random_mission(seed), allocator=allocator)) == (), f"seed {seed}"
+
+
+def test_plans_with_what_is_rare_have_no_findings() -> None:
+    """Twenty missions of each kind: ways home and to chargers, waits at them, hand-overs, and shared resources on ways."""
+    visits, waits, homes, over = 0, 0, 0, 0
+    for seed in range(20):
+        for mission in (driven_mission, crowded_mission):
+            plan = made(*mission(seed), k=2, scheduler=few_runs)
+            assert check(plan) == (), f"{mission.__name__} {seed}"
+            ways = [one for schedule in plan.schedules for one in schedule.recharges]
+            visits += len(ways)
+            waits += sum(one.leg is not None and one.start_s > one.leg.end_s for one in ways)
+            homes += sum(len(schedule.returns) for schedule in plan.schedules)
+            over += plan.tree is not None and any(link.kind == "hand_over" for link in plan.tree.links)
+    assert min(visits, waits, homes, over) > 0, "the missions lack what they are for"
+
+
+def test_plans_for_a_part_have_no_findings() -> None:
+    """Five missions one part of which is due too early."""
+    for seed in range(5):
+        plan = part_made(*part_mission(seed))
+        assert plan is not None
+        assert (plan.outcome, check(plan)) == ("partial", ()), f"seed {seed}"
