@@ -11,10 +11,14 @@ from missiontree.authoring.outcome import Authored
 from missiontree.briefing import Request, request_from
 from missiontree.checking import check
 from missiontree.errors import InputError
+from missiontree.explaining.case import Case
 from missiontree.explaining.changes.families import applied
 from missiontree.explaining.explain import Explained, explain, explain_authored, explained, request_of
+from missiontree.explaining.finding import Found
 from missiontree.explaining.nearest import nearest_part
+from missiontree.explaining.repairing import Repairs, planned
 from missiontree.formats.document import read_text
+from missiontree.mission.change import Change
 from missiontree.mission.control import Control
 from missiontree.mission.costs import Costs, Price
 from missiontree.mission.explanation import Shortfall
@@ -286,3 +290,20 @@ def test_a_request_from_a_file_carries_its_costs(tmp_path: Path) -> None:
     file.write_text("mission: Find the keys\ncosts: {add_robots: 3}\n", encoding="utf-8")
     with pytest.raises(InputError, match=r"costs name 'add_robots'; the nearest is 'add_robot'"):
         request_from(file)
+
+
+def test_a_number_that_is_only_found_comes_down_to_what_its_plan_does_with() -> None:
+    """The crate is fetched from the hall, 30 m away at 1 m/s, so that a deadline of 10 s has to move; to 1000 s is more than it takes."""
+    request = mission(CARRY, deadline_s=10.0, check_kinds=False)
+    assert request.tree is not None
+    case = Case(request.brief, request.tree)
+    repairs = Repairs(request, case, (), Control())
+    wide = Found((Change(kind="extend_deadline", was=10.0, to=1000.0),), 99.0, proven=False)
+    plan = planned(request, case, wide, Control(), 1)
+    assert plan is not None
+    found, tight = repairs._tightened(wide, plan)
+    (schedule,) = tight.schedules
+    assert found.changes[0].to == pytest.approx(schedule.makespan_s)
+    assert found.cost < wide.cost
+    assert schedule.makespan_s < 1000
+    assert repairs._tightened(replace(wide, proven=True), plan)[0].changes == wide.changes

@@ -283,3 +283,31 @@ def test_no_set_of_parts_is_better_than_the_one_that_is_kept(seed: int, ruled: b
     elif decided or found.partial.claim == "proven":
         assert found.partial.kept == best
         assert check(found) == ()
+
+
+def test_where_too_many_sets_would_have_to_be_looked_at_some_part_is_found_all_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """
+    One robot, 1 m/s, is to reach things 10 m to the right, and 200 m and 210 m to the left, within 60 s: the first alone can be done.
+
+    That is the last but one set in order of weight. With one set looked at, which is a single part, the rest is found by giving up more.
+    """
+    monkeypatch.setattr("missiontree.explaining.nearest.LEAST_EXAMINED", 1)
+    monkeypatch.setattr("missiontree.explaining.nearest.MOST_WORK", 0)
+    tree = flat_tree(*(routine_node(name, "Reach", agent=name) for name in "abc"))
+    things = zip("abc", (10.0, -200.0, -210.0), strict=True)
+    scene = Scene(entities=tuple(Entity(id=name, kind="object", position=Position(x_m, 0.0)) for name, x_m in things))
+    fleet = Fleet(
+        (
+            RobotType(
+                id="r", count=1, capabilities={"reach": 1.0}, limits={"max_speed_mps": 1.0}, position=Position(0.0, 0.0)
+            ),
+        )
+    )
+    plan = nearest(tree, brief_of(tree, fleet, scene=scene, deadline_s=60.0))
+    assert left_out(plan) == ["b", "c"]
+    assert plan is not None
+    assert plan.partial is not None
+    assert plan.partial.claim == "found"
+    assert check(plan) == ()

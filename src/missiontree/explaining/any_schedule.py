@@ -18,12 +18,14 @@ from missiontree.scheduling.greedy import read_problem
 from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.runs import MAX_RUNS, Runs
-from missiontree.scheduling.writing import found_schedule, impossible_schedule, no_schedule
+from missiontree.scheduling.writing import found_schedule, impossible_schedule, no_schedule, unknown_schedule
 
 WORKING = frozenset({"optimal", "feasible"})
 FIRST_RUNS = 4
 FEW_STEPS, STEPS_AND_LEAVES = 2_000, 15_000
 """Steps of trying everything out, and those times the actions: a step takes longer, the more there are."""
+MOST_THOROUGH = 40
+"""Actions beyond which it takes seconds to ask all methods, for little more."""
 THOROUGH = "auto"
 """Scheduler that is asked where the quick one proves nothing."""
 
@@ -47,4 +49,6 @@ def any_schedule(
         return found_schedule(problem, alternative, runs.best)
     if proof is not None:
         return no_schedule(alternative, proof, runs.failures)
+    if len(problem.graph.activities) > MOST_THOROUGH:
+        return unknown_schedule(problem, alternative, runs.failures)
     return SCHEDULERS[THOROUGH](tree, alternative, fleet, scene, control, terms)

@@ -10,7 +10,7 @@ before it kept. So the first set that can be done is the lightest, and that is t
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from heapq import heappop, heappush
 from itertools import count
@@ -34,12 +34,11 @@ from missiontree.planner import plan_authored
 from missiontree.reporting.left_out import known_of_larger, parts_left_out
 from missiontree.routines.ground import ground
 
-MOST_EXAMINED = 64
-"""Parts of the mission that are planned before the search is given up."""
+LEAST_EXAMINED, MOST_EXAMINED, MOST_WORK = 8, 64, 4_000
+"""Parts that are planned before the search is given up: within bounds, so many as fit into that many nodes of the grounded tree."""
 
 SHARE = 0.3
 """Of the time that is left, for one question or one plan."""
-
 
 UNDONE = ("cannot_be_done", "exhausted")
 """Outcomes of missions that may still be done in part."""
@@ -136,6 +135,7 @@ class _Search:
         self.proven = whole.outcome == "cannot_be_done" and not request.brief.terms.judged_by_estimator
         self.lost = lost_uses(self._rest([leaf.id for leaf in tree.open_leaves]), request.brief)
         self.examined = 0
+        self.most = max(LEAST_EXAMINED, min(MOST_EXAMINED, MOST_WORK // len(grounded.nodes)))
         self.waiting: list[tuple[int, int, int, _Set]] = []
         self.number = count()
 
@@ -144,8 +144,9 @@ class _Search:
         if not self.parts:
             return None
         self._ask(Fixed())
+        lightest = self.waiting[0][-1] if self.waiting else None
         seen: set[tuple[str, ...]] = set()
-        while self.waiting and self.examined < MOST_EXAMINED and not self.control.ended():
+        while self.waiting and self.examined < self.most and not self.control.ended():
             *_, one = heappop(self.waiting)
             if one.left_out and one.left_out not in seen and one.left_out != (self.tree.root.id,):
                 seen.add(one.left_out)
@@ -156,7 +157,37 @@ class _Search:
                 self.proven = self.proven and found.outcome == "cannot_be_done"
             for fixed in _others(one):
                 self._ask(fixed)
-        return None
+        return None if lightest is None or not self.waiting else self._shrunk(lightest)
+
+    def _shrunk(self, one: _Set) -> Plan | None:
+        """
+        Give up a set and more, by bisection, until the rest can be done; then take back one after the other what fits in.
+
+        The lightest parts are given up first, and of equal ones the last. Nothing is known of other sets then.
+        """
+        self.proven = False
+        contains = self.tree.contains
+        units = [part for part in self.parts if not any(contains(part, other) for other in self.parts if other != part)]
+        first = [unit for unit in units if any(unit == out or contains(out, unit) for out in one.left_out)]
+        more = sorted((unit for unit in reversed(units) if unit not in first), key=lambda unit: self.steps[unit])
+        told, low, high = None, 0, len(more)
+        while high - low > 1 and (found := self._tried([*first, *more[: (low + high) // 2]])) is not None:
+            told, low, high = (found, low, (low + high) // 2) if found[0] else (told, (low + high) // 2, high)
+        gone = [*first, *more[:high]]
+        for unit in reversed(gone):
+            found = self._tried([other for other in gone if other != unit])
+            if found is not None and found[0]:
+                told, gone = found, [other for other in gone if other != unit]
+        return None if told is None or told[0] is None else self._told(told[0], told[1])
+
+    def _tried(self, left_out: Sequence[str]) -> tuple[Plan | None, tuple[str, ...]] | None:
+        """The plan without some parts, None if there is none, and what is left out; None in all if nothing more may be tried."""
+        upmost = topmost(self.tree, left_out)
+        if self.control.ended() or self.examined >= self.most + 2 * len(self.parts) or upmost == (self.tree.root.id,):
+            return None
+        self.examined += 1
+        found = self._planned(upmost)
+        return (found if found.outcome == "delivered" else None), upmost
 
     def _ask(self, fixed: Fixed) -> None:
         """The lightest set that may do, with something fixed, joins those that wait."""

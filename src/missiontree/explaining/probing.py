@@ -23,8 +23,8 @@ from missiontree.mission.schedule import Schedule
 from missiontree.planner import MAX_DRAWN, plan_authored
 from missiontree.routines.ground import ground
 
-FEW_DRAWN = 4
-"""Alternatives drawn where some stay undecided: nothing can be proven then, and each takes long."""
+FEW_DRAWN, LARGE = 4, 20
+"""Alternatives drawn where some stay undecided, for nothing can be proven then and each takes long; in trees of more nodes, one."""
 THOROUGH = "auto"
 """Scheduler that is asked where the quick one proves nothing."""
 
@@ -107,8 +107,10 @@ class Prober:
                     done[alternative.choices] = schedule
                     if schedule.status in WORKING:
                         return Answer(True, grounding, ranking, (schedule,))
-            open_ = any(schedule.status == "unknown" for schedule in done.values())
-            if len(ranking.alternatives) < wanted or wanted >= (FEW_DRAWN if open_ else MAX_DRAWN) or self.ended():
+            most = MAX_DRAWN
+            if any(schedule.status == "unknown" for schedule in done.values()):
+                most = FEW_DRAWN if len(case.tree.nodes) <= LARGE else 1
+            if len(ranking.alternatives) < wanted or wanted >= most or self.ended():
                 break
             wanted *= 4
         return self._settled(grounding, ranking, done)

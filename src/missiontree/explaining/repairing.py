@@ -8,7 +8,9 @@ from missiontree.briefing import Request
 from missiontree.explaining.case import Case
 from missiontree.explaining.changes.families import applied, in_words
 from missiontree.explaining.finding import Finder, Found
-from missiontree.explaining.probing import Prober
+from missiontree.explaining.grid import at_step, step_of
+from missiontree.explaining.guesses import used_in
+from missiontree.explaining.probing import Answer, Prober
 from missiontree.mission.control import Control
 from missiontree.mission.explanation import Cheapest, Repair, Shortfall
 from missiontree.mission.plan import Plan
@@ -18,6 +20,8 @@ MOST_WORK, MOST_ASKED, LEAST_ASKED = 60_000, 2_000, 60
 """Questions to the planner for one explanation: so many times the nodes of the grounded tree, within bounds."""
 MOST_SETS = 3
 """Sets of changes that are looked for where no single change is enough."""
+MOST_TIGHTENED = 3
+"""How often a number is brought down to what the plan of a repair does with."""
 SEARCH_SHARE = 0.7
 """Share of the time for finding changes; the rest is for the plans that they lead to."""
 
@@ -58,16 +62,37 @@ class Repairs:
             found = sorted([*found, *self._finder.sets(min(most, MOST_SETS))], key=lambda one: one.cost)[:most]
             if found and (len(found[0].changes) > 1 or self.cheapest == "none"):
                 self.cheapest = "found"
-        repairs: list[Repair] = []
+        kept: list[tuple[Found, Plan]] = []
         for one in found:
             plan = planned(self._request, self._case, one, self._control, 1)
             if plan is None:  # not seen so far; what was not planned is not offered
                 self.cheapest = "found"
                 continue
-            repairs.append(self._repair(len(repairs) + 1, one, plan))
-        if not repairs:
+            kept.append(self._tightened(one, plan))
+        if not kept:
             self.cheapest = "none"
-        return tuple(repairs)
+        ranked = sorted(kept, key=lambda pair: pair[0].cost)
+        if ranked and ranked[0] is not kept[0]:
+            self.cheapest = "found"
+        return tuple(self._repair(number, *pair) for number, pair in enumerate(ranked, 1))
+
+    def _tightened(self, one: Found, plan: Plan) -> tuple[Found, Plan]:
+        """A number that is the least found comes down to what its plan does with, as often as that leads to a plan with less."""
+        for _ in range(MOST_TIGHTENED):
+            change = one.changes[0]
+            if one.proven or len(one.changes) > 1 or change.was is None or change.to is None:
+                break
+            answer = Answer(True, plan.grounding, plan.ranking, plan.schedules)
+            used = used_in(change, applied(self._case, one.changes), answer)
+            if used is None or step_of(change, used) >= step_of(change, change.to):
+                break
+            less = (at_step(change, step_of(change, used)),)
+            cheaper = Found(less, self._finder.cost(less), False)
+            again = planned(self._request, self._case, cheaper, self._control, 1)
+            if again is None:
+                break
+            one, plan = cheaper, again
+        return one, plan
 
     def notices(self) -> tuple[Reason, ...]:
         """What else to know: that the search was cut short, and costs that are about nothing here."""
