@@ -49,6 +49,8 @@ INPUTS = {
 LONG_S = 60.0
 REFILLING_S = 3.0
 """For missions with chargers, whose gaps seldom close: no gap of theirs counts, and the rest of half a minute would show nothing."""
+REFILLED = {"budget_bound", "deadline_bound"}
+"""Proofs that may rest on what must be refilled, of which the oracle knows nothing."""
 MOST_STEPS = 200_000
 PARTS_EVERY = 3
 """Every third mission is put to the parts as well, which takes twice as long as the scheduler that is made of them."""
@@ -112,7 +114,7 @@ def _may_wait(case: ScheduleCase) -> bool:
 
 def _may_be_without(case: ScheduleCase, result: Schedule) -> bool:
     """Whether a schedule may be missed, or levels, which the oracle takes to last for ever, may keep a mission from having one."""
-    if "chargers" in case.features and result.certificate.method == "budget_bound":
+    if "chargers" in case.features and result.certificate.method in REFILLED:
         return True
     return result.status == "unknown" and "chargers" in case.features
 
@@ -141,7 +143,7 @@ def _parts(case: ScheduleCase, truth: int | None) -> Iterator[tuple[str, str]]:
     """Each part alone."""
     problem = read_problem(case.tree, case.alternative, case.fleet, case.scene, case.terms)
     if not isinstance(problem, Problem):
-        if truth is not None and not ("chargers" in case.features and problem[0] == "budget_bound"):
+        if truth is not None and not ("chargers" in case.features and problem[0] in REFILLED):
             yield "false proofs", f"{problem[0]}, and the least is {truth}"
         return
     horizon = horizon_of(problem)
