@@ -182,6 +182,31 @@ def test_a_link_that_leaves_only_robots_which_lack_something_is_part_of_the_caus
     assert [reason.message for reason in cause.reasons if reason.rule == "same_robot_binds"] == [asked]
 
 
+def test_a_deadline_that_leaves_only_ways_which_clash_stands_behind_the_clash() -> None:
+    """
+    The crate is fetched first; then the same robot searches for Anna, which the arm cannot, or fetches a beam from 200 m away at 1 m/s.
+
+    Both loads take longer than the mission has, so that the link is all that seems to stand in the way; with more time the arm does both.
+    """
+    beam = SCENE.replace("entities:", "  - {id: yard, position: {x_m: 200, y_m: 0}}\nentities:")
+    beam += "  - {id: beam, mass_kg: 10, place: yard}\n"
+    request = mission(CARRY, FIND, ("Transport", {"agent": "beam", "location": "dock"}), scene=beam, check_kinds=False)
+    assert request.tree is not None
+    nodes = {node.id: node for node in request.tree.nodes}
+    inner = MissionNode(id="then", label="Then", gate="xor", children=("n1", "n2"))
+    root = replace(nodes["root"], children=("n0", "then"))
+    links = (Link("n0", "then"), Link("n0", "then", "same_robot"))
+    tree = replace(request.tree, nodes=(root, nodes["n0"], inner, nodes["n1"], nodes["n2"]), links=links)
+    brief = replace(request.brief, deadline_s=130.0)
+    known = told_of(replace(request, tree=tree, brief=brief))
+    (cause,) = known.told.causes
+    assert cause.rule == "limits_clash"
+    assert "one robot" in cause.words
+    late = next(reason for reason in cause.reasons if reason.rule == "deadline_missed")
+    assert "must end by 130 s" in late.message
+    assert any(repair.changes[0].kind == "extend_deadline" for repair in known.told.repairs)
+
+
 def test_joint_work_kept_for_one_type_is_opened_to_all_where_no_single_type_is_enough() -> None:
     """A beam takes two to carry. The arms may not, for it is kept for the drone; of arms and rovers there is one each."""
     both = FLEET.replace("search: 0.8, reach: 0.8", "lift: 0.9").replace("carry: 1.0", "lift: 1.0")

@@ -32,8 +32,11 @@ def causes_of(plan: Plan) -> tuple[Cause, ...]:
     if of_routines := routine_causes(plan.tree, plan.grounding):
         return of_routines
     if plan.ranking.status == "infeasible":
-        causes = _told(_first(plan.ranking.reasons), "allocation")
-        return tuple(replace(cause, reasons=(*cause.reasons, *unable(plan, cause.words))) for cause in causes)
+        first = _first(plan.ranking.reasons)
+        # A clash is sought among the ways that are in time: deadlines that leave no others stand behind it.
+        late = [reason for reason in plan.ranking.reasons if reason.rule == "deadline_missed" and reason not in first]
+        causes = _told(first, "allocation")
+        return tuple(replace(cause, reasons=(*cause.reasons, *late, *unable(plan, cause.words))) for cause in causes)
     return _unscheduled(plan)
 
 
