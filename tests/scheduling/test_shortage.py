@@ -7,8 +7,11 @@ from typing import Any
 import pytest
 
 from missiontree.mission.control import Control
+from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet
+from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.ways import Road, RoadGraph
 from missiontree.scheduling import SCHEDULERS
 from tests.scheduling.instances import Part, at, mission, robots, scene, work
 
@@ -45,3 +48,17 @@ def test_nothing_is_said_of_budgets_where_a_link_keeps_robots_from_a_role() -> N
     result = SCHEDULERS["greedy"](made.tree, made.alternative, Fleet((kind,)), scene(p=10, q=-10), Control())
     assert result.status == "infeasible"
     assert "budget_exceeded" not in {reason.rule for reason in result.reasons}
+
+
+def test_a_way_that_is_closed_from_where_the_robot_is_by_then_is_told() -> None:
+    """The only road leads from hall to yard, one way: once the work in the yard is done there is no way back to the hall."""
+    parts = [Part("far", "r", [work(1, at="yard")]), Part("near", "r", [work(1, at="hall")])]
+    made = mission(parts, [("far", "near")])
+    ends = (Entity(id="hall", kind="place", position=at(0)), Entity(id="yard", kind="place", position=at(9)))
+    world = Scene(places=ends, roads=RoadGraph(roads=(Road(ends=("hall", "yard"), one_way=True),)))
+    fleet = Fleet((robots("r", speed=1, position=at(0)),))
+    result = SCHEDULERS["greedy"](made.tree, made.alternative, fleet, world, Control())
+    assert result.status == "infeasible"
+    reason = next(one for one in result.reasons if one.rule == "unreachable")
+    assert reason.message.startswith("From where it is by then, r-1 cannot get to hall for 'near.0': ")
+    assert "hall - yard" in reason.message

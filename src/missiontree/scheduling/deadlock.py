@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.board import Board
-from missiontree.scheduling.shortage import shortage
+from missiontree.scheduling.shortage import cut_off, shortage
 
 
 def deadlock_reason(board: Board) -> Reason:
@@ -24,8 +24,9 @@ def deadlock_reason(board: Board) -> Reason:
             found=leaving[0],
             hint="Let a robot stay longer (available_until_s), or add another.",
         )
-    if not held and (short := shortage(board, board.graph.tree.action(first).role)) is not None:
-        return short
+    role = board.graph.tree.action(first).role
+    if not held and (kept_from := shortage(board, role) or cut_off(board, role)) is not None:
+        return kept_from
     who = ", ".join(f"{robot.id} in {roles[robot.role].label!r}" for robot in held[:4] if robot.role is not None)
     return Reason(
         rule="deadlock",

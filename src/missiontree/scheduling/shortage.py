@@ -1,10 +1,11 @@
-"""Which budget keeps robots from a role, as far as a run has come: what the role takes, and what is left."""
+"""What keeps robots from a role, as far as a run has come: a budget, with what the role takes and what is left, or that there is no way."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from missiontree.estimation.travel import Blocked
 from missiontree.mission.reason import Reason
 from missiontree.scheduling.board import Board
 from missiontree.scheduling.chargers import NOBODY
@@ -50,6 +51,27 @@ def shortage(board: Board, role: int) -> Reason | None:
             return None  # this one could pay, so that something else keeps it from the role
         nearest = lacking if nearest is None else min(nearest, lacking)
     return None if nearest is None else _reason(board, role, nearest)
+
+
+def cut_off(board: Board, role: int) -> Reason | None:
+    """That none of the robots that might take a role can get there from where it is by now; None if one can, or there is none."""
+    type_id, demands = board.staffing.type_of[role], Demands(board)
+    action = board.graph.tree.action(board.graph.roles[role][0])
+    free = [robot for robot in board.world.robots.values() if robot.type_id == type_id and robot.role is None]
+    ways = [demands.trip(robot.spot, action) for robot in free]
+    blocked = [way for way in ways if isinstance(way, Blocked)]
+    if not blocked or len(blocked) < len(ways):
+        return None
+    reason = blocked[0].reason
+    return Reason(
+        rule="unreachable",
+        message=f"From where it is by then, {free[0].id} cannot get to {action.at} for {action.text!r}: {reason.message}",
+        node=board.graph.name(board.graph.roles[role][0]),
+        robot=type_id,
+        found=reason.found,
+        needed=action.at or "",
+        hint=reason.hint,
+    )
 
 
 def _lacking(board: Board, robot: RobotState, needs: Mapping[str, float]) -> Iterator[_Shortage]:
