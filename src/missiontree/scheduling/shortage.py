@@ -36,11 +36,8 @@ def shortage(board: Board, role: int) -> Reason | None:
     role
         A role that nobody has taken yet. Of several robots, the one is told of that lacks least.
     """
-    type_id, demands = board.staffing.type_of[role], Demands(board)
-    nearest: _Shortage | None = None
-    for robot in board.world.robots.values():
-        if robot.type_id != type_id or robot.role is not None:
-            continue
+    demands, nearest = Demands(board), None
+    for robot in _free(board, role):
         demand = demands.ask(role, robot.spot)
         if demand is not None and board.problem.returning:
             demand = demands.home(demand, robot)
@@ -55,9 +52,8 @@ def shortage(board: Board, role: int) -> Reason | None:
 
 def cut_off(board: Board, role: int) -> Reason | None:
     """That none of the robots that might take a role can get there from where it is by now; None if one can, or there is none."""
-    type_id, demands = board.staffing.type_of[role], Demands(board)
+    demands, free = Demands(board), _free(board, role)
     action = board.graph.tree.action(board.graph.roles[role][0])
-    free = [robot for robot in board.world.robots.values() if robot.type_id == type_id and robot.role is None]
     ways = [demands.trip(robot.spot, action) for robot in free]
     blocked = [way for way in ways if isinstance(way, Blocked)]
     if not blocked or len(blocked) < len(ways):
@@ -67,11 +63,20 @@ def cut_off(board: Board, role: int) -> Reason | None:
         rule="unreachable",
         message=f"From where it is by then, {free[0].id} cannot get to {action.at} for {action.text!r}: {reason.message}",
         node=board.graph.name(board.graph.roles[role][0]),
-        robot=type_id,
+        robot=board.staffing.type_of[role],
         found=reason.found,
         needed=action.at or "",
         hint=reason.hint,
     )
+
+
+def _free(board: Board, role: int) -> list[RobotState]:
+    """Robots that might take a role: the one that is bound to it, else all of its type that nothing holds."""
+    bound = board.bound(role)
+    if bound is not None:
+        return [bound]
+    type_id = board.staffing.type_of[role]
+    return [robot for robot in board.world.robots.values() if robot.type_id == type_id and robot.role is None]
 
 
 def _lacking(board: Board, robot: RobotState, needs: Mapping[str, float]) -> Iterator[_Shortage]:
