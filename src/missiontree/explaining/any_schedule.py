@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.control import Control
@@ -13,11 +12,10 @@ from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import Terms
 from missiontree.scheduling import SCHEDULERS
-from missiontree.scheduling.enumeration.proving import tried_out
 from missiontree.scheduling.greedy import read_problem
-from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.runs import MAX_RUNS, Runs
+from missiontree.scheduling.settling import settled
 from missiontree.scheduling.writing import found_schedule, impossible_schedule, no_schedule, unknown_schedule
 
 WORKING = frozenset({"optimal", "feasible"})
@@ -42,7 +40,7 @@ def any_schedule(
     proof = None
     if runs.best is None:
         steps = min(FEW_STEPS, STEPS_AND_LEAVES // len(problem.graph.activities))
-        runs.best, proof = tried_out(problem, None, partial(horizon_of, problem), steps, control.ended)
+        proof = settled(runs, steps, control.ended)
     if runs.best is None and proof is None:
         runs.go(MAX_RUNS)
     if runs.best is not None:

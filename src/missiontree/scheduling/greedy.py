@@ -10,8 +10,6 @@ proven, else a few for the sake of shorter ways.
 
 from __future__ import annotations
 
-from functools import partial
-
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.control import Control
@@ -29,11 +27,9 @@ from missiontree.scheduling.bounds import lower_bounds
 from missiontree.scheduling.bundles import bundles_of, crews_of
 from missiontree.scheduling.chargers import chargers_of
 from missiontree.scheduling.deadlines import deadlines_out_of_reach
-from missiontree.scheduling.enumeration.proving import tried_out
 from missiontree.scheduling.hand_overs import HandOvers, hand_overs_of
 from missiontree.scheduling.holding import order_held_roles
 from missiontree.scheduling.homing import home_too_late, never_home
-from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.impossible import budgets_exceeded, cycle_reason, group_needs, unreachable_places
 from missiontree.scheduling.mission_terms import required_in_vain, shared_by_all, shared_exceeded
 from missiontree.scheduling.overlap import overlaps_of_one_robot
@@ -42,6 +38,7 @@ from missiontree.scheduling.precedence import task_graph
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.recharging import never_enough
 from missiontree.scheduling.runs import MAX_RUNS, Runs
+from missiontree.scheduling.settling import settled
 from missiontree.scheduling.sharing import order_open_ended, sharing_of, too_crowded
 from missiontree.scheduling.staffing import staffing_conflicts, staffing_of
 from missiontree.scheduling.trips import Trips
@@ -89,10 +86,7 @@ def greedy(
 
 def _tried(runs: Runs, control: Control) -> Certificate | None:
     """The certificate of having tried everything that could be shorter, if that took few steps."""
-    if runs.shortest:
-        return None
-    runs.best, proof = tried_out(runs.problem, runs.best, partial(horizon_of, runs.problem), FEW_STEPS, control.ended)
-    return proof
+    return None if runs.shortest else settled(runs, FEW_STEPS, control.ended)
 
 
 def read_problem(

@@ -8,8 +8,6 @@ is said only if our own bound, an enumeration, or a second formulation of anothe
 
 from __future__ import annotations
 
-from functools import partial
-
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.control import Control
 from missiontree.mission.fleet import Fleet
@@ -19,11 +17,10 @@ from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.scheduling.cpsat.improving import MANY_ROLES, Improving
 from missiontree.scheduling.cpsat.settings import Settings
-from missiontree.scheduling.enumeration.proving import tried_out
 from missiontree.scheduling.greedy import read_problem
-from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.runs import MAX_RUNS, Runs
+from missiontree.scheduling.settling import settled
 from missiontree.scheduling.writing import found_schedule, impossible_schedule, no_schedule
 
 GREEDY_SHARE = 0.2  # of the time, for greedy runs beyond the first that succeeds
@@ -76,7 +73,7 @@ def schedule_within(
     runs.go(GREEDY_RUNS, anyway=True)
     if runs.best is None:
         # Where there is no schedule, runs without end find none, and trying everything out may soon say so.
-        runs.best, proof = tried_out(problem, None, partial(horizon_of, problem), settings.first_steps, control.ended)
+        proof = settled(runs, settings.first_steps, control.ended)
         if runs.best is None and proof is not None:
             return no_schedule(alternative, proof, runs.failures)
     runs.go(GREEDY_RUNS if small else MAX_RUNS)
