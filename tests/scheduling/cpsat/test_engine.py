@@ -271,20 +271,22 @@ def test_what_comes_between_the_two_sides_of_a_hand_over_costs_no_schedule(holde
     assert result.certificate.bound <= 6
 
 
-def test_who_waits_for_something_does_not_go_on_to_do_it() -> None:
+@pytest.mark.parametrize(
+    ("place", "far"), [("p", Robot(id="far", position=at(10))), (None, Robot(id="far", available_from_s=10.0))]
+)
+def test_who_waits_for_something_does_not_go_on_to_do_it(place: str | None, far: Robot) -> None:
     """
-    Near is at p, and far 10 s away. A watch of 3 s comes before a glance, which takes no time, and goes on until it.
+    Near is at p and far 10 s away; or there is no p, and far comes 10 s later. A watch of 3 s comes before a glance, which takes no time, and goes on until it.
 
     By times alone near could watch and then glance, at the moment at which watching ends, a millisecond after it has begun; which is no
     order of events. Else far glances, at 10 s, or near does and far watches, from 10 s to 13 s.
     """
     parts = [
-        Part("watch", "r", [work(3, at="p"), work(at="p", open_ended=True)]),
-        Part("glance", "r", [work(0, at="p")]),
+        Part("watch", "r", [work(3, at=place), work(at=place, open_ended=True)]),
+        Part("glance", "r", [work(0, at=place)]),
     ]
     made = mission(parts, [("watch.1", "glance", "until"), ("watch.0", "glance")])
-    near, far = Robot(id="near", position=at(0)), Robot(id="far", position=at(10))
-    fleet = Fleet((robots("r", speed=1, robots=(near, far)),))
+    fleet = Fleet((robots("r", speed=1, robots=(Robot(id="near", position=at(0)), far)),))
     problem = read_problem(made.tree, made.alternative, fleet, scene(p=0), NO_TERMS)
     assert isinstance(problem, Problem)
     formulation = Formulation(problem, 20_000)

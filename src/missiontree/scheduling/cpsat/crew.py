@@ -154,7 +154,7 @@ def matters_who(problem: Problem, crew: Crew) -> bool:
         return True
     if any(not met_at_once(problem, *pair) for pair in crew.apart):
         return True
-    return _some_take_no_time(problem, crew) or bool(tight_budgets(problem, crew))
+    return _some_take_no_time(problem, crew) or _some_wait(problem, crew) or bool(tight_budgets(problem, crew))
 
 
 def _some_take_no_time(problem: Problem, crew: Crew) -> bool:
@@ -163,6 +163,13 @@ def _some_take_no_time(problem: Problem, crew: Crew) -> bool:
     return any(
         all(problem.bounds.duration[graph.activity_of[leaf]] == 0 for leaf in graph.roles[role]) for role in crew.roles
     )
+
+
+def _some_wait(problem: Problem, crew: Crew) -> bool:
+    """Who lasts until something that takes no time is free only when it is over, and so must not be who does it."""
+    own = {problem.graph.activity_of[leaf] for role in crew.roles for leaf in problem.graph.roles[role]}
+    until = problem.graph.until.items()
+    return any(one in own and not problem.bounds.duration[one] for waits, ends in until if waits in own for one in ends)
 
 
 def uses_of(problem: Problem, role: int) -> dict[str, float]:

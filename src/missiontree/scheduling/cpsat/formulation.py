@@ -84,7 +84,8 @@ class Formulation:
     def keep_to_orders(self) -> bool:
         """From now on, forbid what times allow and no order of events does (see :mod:`orders`); False if the model is no other for it."""
         before = len(self.model.constraints)
-        keep_to_orders(self.model, self.problem, self.times, self.ordering, self.tours)
+        staffs = [staff for _, staff in self.heads if staff is not None]
+        keep_to_orders(self.model, self.problem, self.times, self.ordering, self.tours, staffs)
         return len(self.model.constraints) > before
 
     def minimise_travel(self, makespan: int) -> bool:

@@ -10,15 +10,22 @@ what they move. Rules of schedules speak of times, and do not forbid it. So noth
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import product
 
 from missiontree.scheduling.cpsat.model import Model, negated
 from missiontree.scheduling.cpsat.ordering import Ordering
+from missiontree.scheduling.cpsat.staff import Staff
 from missiontree.scheduling.cpsat.times import Times
 from missiontree.scheduling.cpsat.tours import Tours
 from missiontree.scheduling.problem import Problem
 
+MOST_MEMBERS = 8
+"""Of a crew that need not travel: in a larger one, somebody else is seldom far, and there would be much to say."""
 
-def keep_to_orders(model: Model, problem: Problem, times: Times, ordering: Ordering, tours: Sequence[Tours]) -> None:
+
+def keep_to_orders(
+    model: Model, problem: Problem, times: Times, ordering: Ordering, tours: Sequence[Tours], heads: Sequence[Staff]
+) -> None:
     """Keep activities without length out of hand-overs, robots from waiting for themselves, and one order of what a robot does."""
     for pair in sorted(ordering.literals):
         for first, second in (pair, pair[::-1]):
@@ -28,11 +35,13 @@ def keep_to_orders(model: Model, problem: Problem, times: Times, ordering: Order
         for one in sorted(ends):
             for arc in _arcs(problem, tours, open_ended, one):
                 model.clause(negated(arc))
-    _keep_hand_overs_whole(model, problem, times, ordering, tours)
+            for both in _by_one(problem, heads, open_ended, one):
+                model.at_least(times.start[open_ended], times.end[one], when=both)
+    _keep_hand_overs_whole(model, problem, times, ordering, tours, heads)
 
 
 def _keep_hand_overs_whole(
-    model: Model, problem: Problem, times: Times, ordering: Ordering, tours: Sequence[Tours]
+    model: Model, problem: Problem, times: Times, ordering: Ordering, tours: Sequence[Tours], heads: Sequence[Staff]
 ) -> None:
     """
     Keep activities without length out of hand-overs.
@@ -47,18 +56,20 @@ def _keep_hand_overs_whole(
             if one in (giver, taker):
                 continue
             after_giver, before_taker = (
-                frozenset((one, side)) in rivals or _one_robot(problem, one, side) for side in (giver, taker)
+                [()] if frozenset((one, side)) in rivals or _one_robot(problem, one, side) else
+                list(_by_one(problem, heads, one, side))
+                for side in (giver, taker)
             )
-            if after_giver and before_taker:
-                first = model.boolean()
-                model.at_least(times.start[giver], times.end[one], when=(first,))
-                model.at_least(times.start[one], times.end[taker], when=(negated(first),))
-            elif after_giver:
+            for both in product(after_giver, before_taker):
+                when, first = (*both[0], *both[1]), model.boolean()
+                model.at_least(times.start[giver], times.end[one], when=(first, *when))
+                model.at_least(times.start[one], times.end[taker], when=(negated(first), *when))
+            for when in () if () in before_taker else after_giver:
                 for literal in _reasons(model, problem, ordering, tours, one, taker):
-                    model.at_least(times.start[giver], times.end[one], when=(literal,))
-            elif before_taker:
+                    model.at_least(times.start[giver], times.end[one], when=(literal, *when))
+            for when in () if () in after_giver else before_taker:
                 for literal in _reasons(model, problem, ordering, tours, giver, one):
-                    model.at_least(times.start[one], times.end[taker], when=(literal,))
+                    model.at_least(times.start[one], times.end[taker], when=(literal, *when))
 
 
 def _one_robot(problem: Problem, one: int, other: int) -> bool:
@@ -87,3 +98,16 @@ def _arcs(problem: Problem, tours: Sequence[Tours], first: int, second: int) -> 
     for one in tours:
         nodes = [{one.node(role) for role in one.crew.roles if role in side} for side in (mine, its)]
         yield from (literal for (tail, head), literal in one.arcs.items() if tail in nodes[0] and head in nodes[1])
+
+
+def _by_one(problem: Problem, heads: Sequence[Staff], one: int, other: int) -> Iterator[tuple[int, ...]]:
+    """Literals that together make one robot of those that need not travel do a role of each, one after the other."""
+    group_of = problem.staffing.group_of
+    mine, its = ({group_of[role] for role in _roles(problem, activity)} for activity in (one, other))
+    for staff in heads:
+        members = range(len(staff.crew.members))
+        if len(members) <= MOST_MEMBERS:
+            groups = staff.crew.groups
+            pairs = product((group for group in groups if group in mine), (group for group in groups if group in its))
+            for first, second in pairs:
+                yield from ((staff.fills[first, number], staff.fills[second, number]) for number in members)
