@@ -13,11 +13,10 @@ import json
 import os
 import time
 import traceback
-from collections import Counter
+from collections import Counter, deque
 from collections.abc import Callable, Iterator, Mapping
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import dataclass, field
-from itertools import islice
 from multiprocessing import get_context
 from pathlib import Path
 from random import Random
@@ -27,6 +26,8 @@ import missiontree
 from benchmarks.machine import machine_line
 
 CHUNK = 100
+AHEAD = 3
+"""Pieces begun or waiting for each process beyond those that the state waits for: one slow piece keeps nobody from working."""
 CRASH = "crashes"
 _SHOWN = 5
 
@@ -217,12 +218,13 @@ def _pieces(campaign: Campaign, seed: int, start: int, stop: int, jobs: int) -> 
             yield made(campaign, seed, first, last)
         return
     with ProcessPoolExecutor(jobs, get_context("spawn")) as pool:
-        while batch := list(islice(spans, jobs)):
-            yield from pool.map(_made, [(campaign, seed, first, last) for first, last in batch])
-
-
-def _made(span: tuple[Campaign, int, int, int]) -> State:
-    return made(*span)
+        running = deque[Future[State]]()
+        for first, last in spans:
+            running.append(pool.submit(made, campaign, seed, first, last))
+            if len(running) > AHEAD * jobs:
+                yield running.popleft().result()
+        while running:
+            yield running.popleft().result()
 
 
 def _resumed(path: Path | None, campaign: Campaign, seed: int) -> State:

@@ -13,10 +13,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from graphlib import CycleError, TopologicalSorter
 from itertools import combinations, pairwise, permutations, product
 
 from benchmarks.schedule_cases import ScheduleCase
-from missiontree.mission.grounded import Action
 from missiontree.mission.shared_resource import SharedResource
 
 SLACK = 1e-6
@@ -74,6 +74,7 @@ class Oracle:
         self.case, self.tree, self.fleet = case, case.tree, case.fleet
         self.actions = {index: node.action for index, node in enumerate(case.tree.nodes) if node.action is not None}
         self.leaves = [*self.actions]
+        self.length = {leaf: _ms(action.duration_s) for leaf, action in self.actions.items()}
         self.roles: dict[int, list[int]] = {}
         for leaf in self.leaves:
             self.roles.setdefault(self.actions[leaf].role, []).append(leaf)
@@ -90,9 +91,13 @@ class Oracle:
                 self.units.append(joint[sync])
         self.before: dict[int, set[int]] = {leaf: set() for leaf in self.leaves}
         self.until: dict[int, set[int]] = {}
+        self.team = {role: case.tree.roles[role].team for role in self.roles}
+        self.few = [(kind, kind.max_in_use) for kind in case.fleet.types if kind.max_in_use is not None]
+        self.refilled = {kind.id: case.terms.refilled(kind) for kind in case.fleet.types}
         self.same: list[set[int]] = []
         self.different: list[tuple[set[int], set[int]]] = []
-        self.best: int | None = None
+        self.found: int | None = None
+        self.best: int | None = None  # what is found must be less: the least so far, or what was asked for
         self.widest = max(map(len, self.units), default=1)
         self.steps = 0
         self.taker: dict[int, int] = {}  # by unit that hands over: the unit that takes over
@@ -195,8 +200,9 @@ class Oracle:
     def _unit(self, leaf: int) -> int:
         return next(number for number, unit in enumerate(self.units) if leaf in unit)
 
-    def least(self) -> int | None:
-        """Least makespan in milliseconds; None if nothing works."""
+    def least(self, below: int | None = None) -> int | None:
+        """Least makespan in milliseconds; None if nothing works, or nothing sooner than ``below``."""
+        self.best = below
         if self.unfit or {*self.taker} & {*self.taker.values()}:
             return None
         if self.disturbed:
@@ -209,7 +215,7 @@ class Oracle:
                 for leaf in self.units[later]:
                     self.before[leaf] |= set(self.units[earlier])
             self._try()
-        return self.best
+        return self.found
 
     def _passings(self, resource: SharedResource) -> list[tuple[tuple[int, int], ...]]:
         """All ways in which units pass on the places of a resource: pairs of units that come one after the other."""
@@ -237,8 +243,13 @@ class Oracle:
         return [pairs for pairs in found if not any(self.follow[later] & {*self.units[one]} for one, later in pairs)]
 
     def _try(self) -> None:
-        self.rest = self._rests()
         self.over_first = {leaf: self._over_first(leaf) for leaf in self.leaves}
+        try:
+            order = [*TopologicalSorter(self.over_first).static_order()]
+        except CycleError:
+            return
+        self.rest = self._rests(order)
+        self.last_end = self._last_ends(order)
         own_ends = [sorted(self._own_ends(leaf)) for leaf in sorted(self.until)]
         for chosen in product(*own_ends):
             latest: dict[int, list[int]] = {}
@@ -246,18 +257,26 @@ class Oracle:
                 latest.setdefault(one, []).append(open_ended)
             self._go_on(self._begin(), latest, 0)
 
-    def _rests(self) -> dict[int, int]:
+    def _rests(self, order: Sequence[int]) -> dict[int, int]:
         """For each action, how long those after it take at least, one after the other; moves may take no time."""
         after = self._after()
         least = self.lasts = {
-            leaf: 0 if leaf in self.until or self.actions[leaf].moves else _ms(self.actions[leaf].duration_s)
-            for leaf in self.leaves
+            leaf: 0 if leaf in self.until or self.actions[leaf].moves else self.length[leaf] for leaf in self.leaves
         }
-        rest = dict.fromkeys(self.leaves, 0)
-        for _ in self.leaves:  # enough for every chain; in a circle nothing is ever done
-            for leaf in self.leaves:
-                rest[leaf] = max([0, *(least[one] + rest[one] for one in after[leaf])])
+        rest: dict[int, int] = {}
+        for leaf in reversed(order):
+            rest[leaf] = max((least[one] + rest.get(one, 0) for one in after[leaf]), default=0)
         return rest
+
+    def _last_ends(self, order: Sequence[int]) -> dict[int, int]:
+        """By when an action is to be over, so that what comes after it is in time, too; without those that may end at any time."""
+        found = dict(self.due)
+        for leaf in reversed(order):
+            if leaf in found:
+                for one in self.over_first[leaf]:
+                    due = found[leaf] - self.lasts[leaf]
+                    found[one] = min(found.get(one, due), due)
+        return found
 
     def _own_ends(self, leaf: int) -> set[int]:
         """Actions with an end of their own that set the end of an open-ended one."""
@@ -296,7 +315,8 @@ class Oracle:
             world = world.copy()
             if len(world.end) == len(self.leaves) and self._home(world) and self._whole(world):
                 makespan = max(*world.end.values(), *(world.free[robot] for robot in world.robot_of.values()))
-                self.best = makespan if self.best is None else min(self.best, makespan)
+                if self.best is None or makespan < self.best:
+                    self.best = self.found = makespan
             return
         if self._too_late(world, sorted_from):
             return
@@ -353,8 +373,11 @@ class Oracle:
             else:
                 robots = self._free_robots(world, action.robot_type)
             options.append([(action.role, robot) for robot in robots])
+        bound = all(self.actions[leaf].role in world.robot_of for leaf in unit)
         for chosen in product(*options):
-            if len({robot for _, robot in chosen}) == len(chosen):
+            if bound:  # who they are was looked at before
+                yield dict(chosen)
+            elif len({robot for _, robot in chosen}) == len(chosen):
                 binding = world.robot_of | dict(chosen)
                 if self._staffed(binding):
                     yield dict(chosen)
@@ -381,15 +404,13 @@ class Oracle:
             mine, its = ({binding[role] for role in side if role in binding} for side in (first, second))
             if mine & its:
                 return False
-        teams = [(self.tree.roles[role].team, robot) for role, robot in binding.items()]
-        teams = [one for one in teams if one[0] is not None]
+        teams = [(self.team[role], robot) for role, robot in binding.items() if self.team[role] is not None]
         if len(set(teams)) < len(teams):
             return False
-        for kind in self.fleet.types:
-            used = {robot for robot in binding.values() if self.fleet.type_of[robot] is kind}
-            if kind.max_in_use is not None and len(used) > kind.max_in_use:
-                return False
-        return True
+        return not self.few or all(
+            len({robot for robot in binding.values() if self.fleet.type_of[robot] is kind}) <= most
+            for kind, most in self.few
+        )
 
     def _whole(self, world: _World) -> bool:
         busy = set(world.robot_of.values())
@@ -427,20 +448,25 @@ class Oracle:
             for leaf in unit:
                 self._over(after, leaf, end)
         self._settle(after)
+        if any(leaf in after.end and after.end[leaf] > due for leaf, due in self.last_end.items()):
+            return None
         return None if self._in_vain(after, unit[0]) else after
 
     def _too_late(self, world: _World, soonest: int) -> bool:
-        """Whether what is left, none of which starts sooner than that, cannot all end sooner than the best."""
-        if self.best is None:
-            return False
+        """Whether what is left, none of which starts sooner than that, cannot all end in time, or sooner than the best."""
         left: dict[str, int] = {}
         for leaf in self.leaves:
             if leaf not in world.start:
                 begins = max([soonest, self.release[leaf], *(world.end.get(one, 0) for one in self.before[leaf])])
-                if begins + self.lasts[leaf] + self.rest[leaf] >= self.best:
+                ends = begins + self.lasts[leaf]
+                if ends > self.last_end.get(leaf, ends) or (
+                    self.best is not None and ends + self.rest[leaf] >= self.best
+                ):
                     return True
                 type_id = self.actions[leaf].robot_type
                 left[type_id] = left.get(type_id, 0) + self.lasts[leaf]
+        if self.best is None:
+            return False
         for type_id, work in left.items():
             members = self.fleet.by_id[type_id].members
             if sum(max(0, self.best - 1 - max(soonest, world.free[robot.id])) for robot in members) < work:
@@ -463,7 +489,7 @@ class Oracle:
         ways: dict[int, tuple[int, float]] = {}
         for leaf, action in actions.items():
             robot = robots[action.role]
-            ways[leaf] = self._way(world, robot, action)
+            ways[leaf] = self._way(world, robot, leaf)
             start = max(
                 [start, self.release[leaf], world.free[robot], *(world.end[one] for one in self.over_first[leaf])]
             )
@@ -471,7 +497,7 @@ class Oracle:
                 length = max(length, ways[leaf][0])
             else:
                 start = max(start, world.free[robot] + ways[leaf][0])
-                length = max(length, _ms(action.duration_s))
+                length = max(length, self.length[leaf])
             if action.at is not None:
                 start = max(start, world.since.get(action.at, 0))
             for name in action.brings:
@@ -527,9 +553,10 @@ class Oracle:
         if leaf == self.roles[action.role][-1]:
             del world.held[robot]
 
-    def _way(self, world: _World, robot: str, action: Action) -> tuple[int, float]:
+    def _way(self, world: _World, robot: str, leaf: int) -> tuple[int, float]:
         """Milliseconds and metres."""
-        nominal = _ms(action.duration_s) if action.moves else 0
+        action = self.actions[leaf]
+        nominal = self.length[leaf] if action.moves else 0
         if action.at is None and not action.moves:
             return 0, 0.0
         origin, goal = world.spot[robot], None if action.at is None else world.thing[action.at]
@@ -560,7 +587,7 @@ class Oracle:
 
     def _spend(self, world: _World, robot: str, uses: Mapping[str, float], metres: float) -> bool:
         kind = self.fleet.type_of[robot]
-        use, refilled = dict(uses), self.case.terms.refilled(kind)
+        use, refilled = dict(uses), self.refilled[kind.id]
         for name, amount in kind.uses_per_m.items():
             use[name] = use.get(name, 0.0) + amount * metres
         for name, amount in use.items():
@@ -581,16 +608,23 @@ def _ms(duration_s: float) -> int:
     return math.ceil(duration_s * 1000 - 1e-6)
 
 
-def least_makespan(case: ScheduleCase) -> int | None:
+def least_makespan(case: ScheduleCase, below: int | None = None) -> int | None:
     """
     Least makespan of a case in milliseconds; None if nothing works.
+
+    Parameters
+    ----------
+    case
+        A mission whose tree has no XOR.
+    below
+        Only what is over sooner is sought, which is less to try; None is the answer where there is none.
 
     Raises
     ------
     TooMuchError
         If there is too much to try.
     """
-    return Oracle(case).least()
+    return Oracle(case).least(below)
 
 
 __all__: Sequence[str] = ["Oracle", "TooMuchError", "least_makespan"]

@@ -276,7 +276,8 @@ def test_what_comes_between_the_two_sides_of_a_hand_over_costs_no_schedule(holde
 )
 def test_who_waits_for_something_does_not_go_on_to_do_it(place: str | None, far: Robot) -> None:
     """
-    Near is at p and far 10 s away; or there is no p, and far comes 10 s later. A watch of 3 s comes before a glance, which takes no time, and goes on until it.
+    Near is at p and far 10 s away; or there is no p, and far comes 10 s later. A watch of 3 s comes before a glance, which takes no time,
+    and goes on until it.
 
     By times alone near could watch and then glance, at the moment at which watching ends, a millisecond after it has begun; which is no
     order of events. Else far glances, at 10 s, or near does and far watches, from 10 s to 13 s.

@@ -56,8 +56,9 @@ def _keep_hand_overs_whole(
             if one in (giver, taker):
                 continue
             after_giver, before_taker = (
-                [()] if frozenset((one, side)) in rivals or _one_robot(problem, one, side) else
-                list(_by_one(problem, heads, one, side))
+                [()]
+                if frozenset((one, side)) in rivals or _one_robot(problem, one, side)
+                else list(_by_one(problem, heads, one, side))
                 for side in (giver, taker)
             )
             for both in product(after_giver, before_taker):
