@@ -20,7 +20,7 @@ from benchmarks.schedule_cases import ScheduleCase
 from missiontree.mission.shared_resource import SharedResource
 
 SLACK = 1e-6
-MOST_STEPS = 3_000
+MOST_STEPS = 2_000
 
 
 class TooMuchError(Exception):
