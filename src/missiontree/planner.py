@@ -309,8 +309,8 @@ def staff_and_schedule(
 
     An alternative that is proven unschedulable stays in the list, with the reason in its schedule, and one more is drawn (one of
     another team, where teams are to differ); so ranks never depend on schedules. One that is not proven either way counts among the
-    k, but drawing goes on until some alternative has a schedule. Once one has and time is up, no other is begun, unless that is a
-    matter of a few actions.
+    k, but drawing goes on until some alternative has a schedule. Once one was tried and time is up, no other is begun, unless that is
+    a matter of a few actions.
     """
     brief, tree, wanted = request.brief, grounding.tree, request.k
     schedule_with, allocate = SCHEDULERS[request.scheduler], allocator_for(request.allocator, brief.aim)
@@ -320,7 +320,7 @@ def staff_and_schedule(
         ranking = allocate(flat, brief.fleet, brief.weights, wanted, control.part(ALLOCATION_SHARE))
         for position, alternative in enumerate(ranking.alternatives):
             if alternative.choices not in done or done[alternative.choices].rank != alternative.rank:
-                if control.ended() and _any_works(done.values()) and not few_leaves(tree, alternative):
+                if control.ended() and done and not few_leaves(tree, alternative):
                     done[alternative.choices] = untried_schedule(alternative)
                     continue
                 left = len(ranking.alternatives) - position

@@ -13,7 +13,7 @@ from missiontree.cli.collecting import seldom_collected
 from missiontree.cli.exits import OUTCOMES
 from missiontree.cli.files import refuse_clashing, refuse_unwritable, save
 from missiontree.cli.gathering import author_named, budgets_from, gather
-from missiontree.cli.interrupt import controlled
+from missiontree.cli.interrupt import Kept, controlled
 from missiontree.cli.live import LiveLine
 from missiontree.cli.pictures import Asked, refuse_impossible, write_pictures
 from missiontree.cli.screen import remark, show
@@ -145,9 +145,11 @@ def command(
     made = authored(request, quiet or as_json, colour)
     _refuse_other_parts(request, made)
     line = LiveLine(quiet or as_json)
-    with seldom_collected(), controlled(time_limit, request.seed, line.report) as control:
+    kept = Kept("scheduling")
+    with seldom_collected(), controlled(time_limit, request.seed, line.report, kept) as control:
         with line:
             plan = plan_authored(request, made, control)
+        kept.anything = True
         if plan.outcome == "exhausted" and control.stop():
             raise KeyboardInterrupt
         whole = plan

@@ -111,6 +111,11 @@ class Runs:
             self._late = missed if self._late is None else min(self._late, missed)
         elif self.best is None or draft.value < self.best.value:
             self.best = draft
+        self.tell()
+
+    def tell(self) -> None:
+        """Report how far the runs are."""
+        problem = self.problem
         shown = None if self.best is None else seconds(self.best.makespan)
         bound = seconds(problem.bounds.makespan)
         self._control.report(Progress("scheduling", self._number, int(self.best is not None), bound, shown))

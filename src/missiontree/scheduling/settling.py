@@ -27,5 +27,8 @@ def settled(runs: Runs, most_steps: int, ended: Callable[[], bool]) -> Certifica
     Certificate or None
         The proof that nothing is better, or that there is no schedule; None if that was too much to try.
     """
-    runs.best, proof = tried_out(runs.problem, runs.best, partial(horizon_of, runs.problem), most_steps, ended)
+    before = runs.best
+    runs.best, proof = tried_out(runs.problem, before, partial(horizon_of, runs.problem), most_steps, ended)
+    if runs.best is not before:
+        runs.tell()
     return proof

@@ -54,8 +54,8 @@ def unknown_schedule(
 
 
 def untried_schedule(alternative: Alternative) -> Schedule:
-    """The schedule of an alternative that nothing was tried for, since time was up and another has one."""
-    detail = "Nothing was tried for this alternative: time was up, and another has a schedule."
+    """The schedule of an alternative that nothing was tried for, since time was up when others had been."""
+    detail = "Nothing was tried for this alternative: time was up."
     return Schedule(
         rank=alternative.rank,
         status="unknown",
