@@ -1,4 +1,4 @@
-"""Ctrl-C, and SIGTERM: the first one asks long work to stop with what it has, the second one interrupts; as the first does where there is nothing."""
+"""Ctrl-C, and SIGTERM: the first one asks long work to stop with what it has, the second one, or one with nothing to keep, interrupts."""
 
 from __future__ import annotations
 

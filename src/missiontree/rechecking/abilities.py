@@ -25,6 +25,8 @@ class Way:
 
 def able(facts: Facts) -> Iterator[Reason]:
     """Some role of the leaf's routine has this action, and takes this type and these entities."""
+    ways: dict[str, list[Way]] = {}  # by node of the mission tree, whose leaves are many
+    takes: dict[tuple[str, int, str], bool] = {}  # by that, number of the way, and type
     for leaf, action in facts.offered.items():
         source = facts.tree.nodes[leaf].source
         node = facts.mission.by_id.get(source) if facts.mission is not None and source is not None else None
@@ -36,12 +38,16 @@ def able(facts: Facts) -> Iterator[Reason]:
                 f"{facts.label(leaf)} is done by {kind.id}, and its routine is for {', '.join(node.resources)} only."
             )
             yield broken("core_ability", message, node=leaf, robot=kind.id)
-        ways = [
-            way
-            for way in _ways(facts, node.routine, node.arguments)
-            if way.role.rating == action.capability and action.name in {step.name for step in way.role.actions}
-        ]
-        if not any(_takes(facts, way, kind) for way in ways):
+        if node.id not in ways:
+            ways[node.id] = [*_ways(facts, node.routine, node.arguments)]
+        for number, way in enumerate(ways[node.id]):
+            named = way.role.rating == action.capability and any(step.name == action.name for step in way.role.actions)
+            key = (node.id, number, kind.id)
+            if named and key not in takes:
+                takes[key] = _takes(facts, way, kind)
+            if named and takes[key]:
+                break
+        else:
             message = (
                 f"no role of {node.routine} with {action.name}, rated by {action.capability}, takes {kind.id} here."
             )
