@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import pytest
@@ -14,10 +15,10 @@ from missiontree.authoring.transcript import replay
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, Robot, RobotType
-from missiontree.mission.goal import Goal, in_words
+from missiontree.mission.goal import Goal, check_goals, in_words
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
-from missiontree.mission.tree import MissionTree
+from missiontree.mission.tree import MUTUAL, MissionTree
 from missiontree.routines.library import built_in
 
 SCENE = Scene(
@@ -310,7 +311,13 @@ def choice(**second: Any) -> Goal:
     [
         ([choice(), goal(do="Reach(dog)", after=["a"])], "link_may_not_bind", "starts after 'Search(keys)' only if"),
         ([choice(), goal(do="Follow(dog)", until="a")], "link_may_not_bind", "lasts until 'Search(keys)' only if"),
-        ([choice(after=["a"])], "link_never_binds", "options of one choice"),
+        ([choice(after=["a"])], "link_never_binds", "starts after 'Search(keys)', and they are options of one choice"),
+        ([choice(same_robot=["a"])], "link_never_binds", "has the robot of 'Search(keys)', and they are options"),
+        (
+            [choice(), goal(do="Reach(dog)", different_robot=["a"])],
+            "link_may_not_bind",
+            "has another robot than 'Search(keys)' only if",
+        ),
         ([choice(), goal(do="Reach(dog)", after=["look"])], "", ""),
         ([choice(after=["b"]), goal(do="Search(dog)", name="b")], "", ""),
     ],
@@ -321,6 +328,60 @@ def test_a_link_to_an_option_is_told(fleet: Fleet, goals: list[Goal], rule: str,
     told = [notice for notice in made.notices if notice.rule.startswith("link_")]
     assert [notice.rule for notice in told] == ([rule] if rule else [])
     assert all(words in notice.message for notice in told)
+
+
+@pytest.mark.parametrize(
+    ("bonds", "links"),
+    [
+        ({"same_robot": ["a"]}, {("a", "b", "same_robot")}),
+        ({"different_robot": ["a", "c"]}, {("a", "b", "different_robot"), ("b", "c", "different_robot")}),
+        ({"takes_over_from": "a"}, {("a", "b", "hand_over")}),
+        (
+            {"after": ["a"], "same_robot": ["a"], "different_robot": ["c"]},
+            {("a", "b", "precedence"), ("a", "b", "same_robot"), ("b", "c", "different_robot")},
+        ),
+    ],
+)
+def test_goals_say_which_robots_do_them(fleet: Fleet, bonds: dict[str, Any], links: set[tuple[str, str, str]]) -> None:
+    """Each field makes one link between the goals; what holds both ways may be said by both, and makes one link as well."""
+    mutual = {bond: ["b"] for bond in bonds if bond in {"same_robot", "different_robot"} and "a" in bonds[bond]}
+    for said in ({}, mutual):
+        goals = [
+            goal(name="a", do="Search(keys)", **said),
+            goal(name="b", do="Reach(dog)", **bonds),
+            goal(name="c", do="Search(ball)"),
+        ]
+        made = author_formal(brief(fleet, *goals))
+        assert made.tree is not None, made.reasons
+        named = {node.id: "abc"[number] for number, node in enumerate(n for n in made.tree.nodes if n.routine)}
+        found = [(named[link.first], named[link.second], link.kind) for link in made.tree.links]
+        assert {(*sorted(ends), kind) if kind in MUTUAL else (*ends, kind) for *ends, kind in found} == links
+        assert len(found) == len(links)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "words"),
+    [
+        ({}, {"same_robot": ["nobody"]}, "refers to goal 'nobody'; named goals are: a, b"),
+        ({}, {"different_robot": ["b"]}, "cannot name, by different_robot, 'b'; one is part of the other"),
+        ({}, {"takes_over_from": "b"}, "cannot wait for 'b'; one is part of the other"),
+        (
+            {},
+            {"same_robot": ["a"], "takes_over_from": "a"},
+            "names 'a' by takes_over_from, and one robot is to do both",
+        ),
+        (
+            {"same_robot": ["b"]},
+            {"different_robot": ["a"]},
+            "names 'a' by different_robot, and one robot is to do both",
+        ),
+        ({"after": ["b"]}, {"takes_over_from": "a"}, "the order of the goals is a circle"),
+    ],
+)
+def test_what_goals_say_of_robots_in_vain_is_refused(first: dict[str, Any], second: dict[str, Any], words: str) -> None:
+    goals = (goal(name="a", do="Search(keys)", **first), goal(name="b", do="Reach(dog)", **second))
+    with pytest.raises(ValueError, match=re.escape(words)):
+        check_goals(goals)
 
 
 def test_what_the_builder_refuses_is_told_in_its_words(fleet: Fleet) -> None:

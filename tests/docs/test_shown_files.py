@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+import yaml
 
 HOW_TO = Path(__file__).parents[2] / "docs/how-to"
 RECHARGE = "let-robots-recharge.md"
@@ -53,3 +55,25 @@ def test_what_more_room_would_bring_is_what_the_page_says(tmp_path: Path) -> Non
         command = [sys.executable, "-m", "missiontree", *words]
         done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, encoding="utf-8", check=False)
     assert shown in done.stdout
+
+
+def test_goals_hand_over_as_the_roles_of_one_routine_do(tmp_path: Path) -> None:
+    """The page's routine parted into two of one role each, and the goals that the page shows for them: the same 86 s."""
+    page, texts = PAGES["hand-over.md"], dict(FILES["hand-over.md"])
+    (goals,) = re.findall(r"```yaml\n(goals:.*?)```", page, re.DOTALL)
+    (relay,) = yaml.safe_load(texts["routines"])["routines"]
+    (branch,) = relay["branches"]
+    load, meeting, goal = relay["arguments"]
+    parted = []
+    for name, role, place in zip(("Bring", "Fly"), branch["roles"], (meeting, goal), strict=True):
+        own = {"name": branch["name"], "roles": [role]}
+        purpose = f"{name} {{load}} to {{{place['name']}}}."
+        parted.append({"id": name, "purpose": purpose, "arguments": [load, place], "branches": [own]})
+    texts["routines"] = json.dumps({"routines": parted})
+    texts["mission"] = f"mission: Bring the medicine to the island\nroutines: [routines.yaml]\n{goals}"
+    for name, text in texts.items():
+        (tmp_path / f"{name}.yaml").write_text(text, encoding="utf-8")
+    command = [sys.executable, "-m", "missiontree", "plan", "mission.yaml"]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, encoding="utf-8", check=False)
+    assert "86.0 s, optimal" in done.stdout
+    assert "Take Medicine, takes over from truck-1" in done.stdout

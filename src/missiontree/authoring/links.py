@@ -11,7 +11,7 @@ from missiontree.authoring.wire import RULE, kind_of_json
 from missiontree.mission.precedence import EventGraph, event_graph
 from missiontree.mission.reason import Reason
 from missiontree.mission.routine import RoutineLibrary
-from missiontree.mission.tree import Link, LinkKind, MissionTree
+from missiontree.mission.tree import MUTUAL, Link, LinkKind, MissionTree
 from missiontree.routines.open_ended import is_open_ended, pointless_until
 
 WIRE_KINDS: dict[str, LinkKind] = {
@@ -127,8 +127,7 @@ def _check_one(tree: MissionTree, link: Link, standing: set[tuple[str, str, Link
     if tree.contains(link.first, link.second) or tree.contains(link.second, link.first):
         message = f"{said} joins a node with itself or with one above it."
         raise refuse("contained", message, node=link.first, hint="Link two nodes neither of which contains the other.")
-    mutual = link.kind in {"same_robot", "different_robot"}
-    ways = [(link.first, link.second)] + ([(link.second, link.first)] if mutual else [])
+    ways = [(link.first, link.second)] + ([(link.second, link.first)] if link.kind in MUTUAL else [])
     for first, second in ways:
         if (first, second, link.kind) in standing:
             raise refuse("duplicate", f"{said} stands already.", node=link.first, hint="Leave it out.")

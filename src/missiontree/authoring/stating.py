@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from itertools import product
 
 from missiontree.authoring.language.lexicon import Lexicon
 from missiontree.authoring.matching import did_you_mean, listed, quoted
@@ -17,12 +18,20 @@ from missiontree.authoring.reading.remarks import assumed, unused_words
 from missiontree.authoring.reading.words import Word
 from missiontree.authoring.stated_names import StatedNames, UnknownNameError
 from missiontree.mission.brief import MissionBrief
-from missiontree.mission.goal import Goal
+from missiontree.mission.goal import Bond, Goal
 from missiontree.mission.pattern import Form
 from missiontree.mission.reason import Reason
 from missiontree.mission.times import words_of_times
-from missiontree.mission.tree import LinkKind
+from missiontree.mission.tree import MUTUAL, LinkKind
 
+LINKED: Mapping[Bond, tuple[LinkKind, bool]] = {
+    "after": ("precedence", False),
+    "until": ("until", True),
+    "same_robot": ("same_robot", False),
+    "different_robot": ("different_robot", False),
+    "takes_over_from": ("hand_over", False),
+}
+"""The link of each field of a goal that names another goal, and whether it goes from the goal to the other."""
 Bindings = dict[str, tuple[Mention, ...]]
 Placed = tuple[Goal, list[Piece], Outline]
 
@@ -82,16 +91,17 @@ class Statements:
     def linked(self) -> list[tuple[Piece, Piece, LinkKind]]:
         """Put the links among goals into their outlines; answers with them."""
         named = {goal.name: pieces for goal, pieces, _ in self._placed if goal.name}
-        links: list[tuple[Piece, Piece, LinkKind]] = []
+        links: dict[tuple[Piece, Piece, LinkKind], None] = {}
         for goal, pieces, outline in self._placed:
-            pairs: list[tuple[Piece, Piece, LinkKind]] = [
-                (first, own, "precedence") for name in goal.after for first in named[name] for own in pieces
-            ]
-            pairs += [(own, other, "until") for other in named.get(goal.until, ()) for own in pieces]
-            for pair in pairs:
-                outline.link(*pair)
-            links += pairs
-        return links
+            for bond, name in goal.bonds:
+                kind, first = LINKED[bond]
+                for other, own in product(named[name], pieces):
+                    pair = (own, other, kind) if first else (other, own, kind)
+                    if kind in MUTUAL and (pair[1], pair[0], kind) in links:
+                        continue  # the other goal says the same
+                    outline.link(*pair)
+                    links[pair] = None
+        return [*links]
 
     def timed(self) -> list[tuple[Goal, list[Piece]]]:
         """Goals with times, and their pieces."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from typing import Literal
 
 from missiontree.mission.call import call_of
 from missiontree.mission.frozen_map import FrozenMap
@@ -11,6 +12,11 @@ from missiontree.mission.times import check_times
 from missiontree.mission.tree import Gate
 from missiontree.mission.value import Id, NonNegative, Positive, Value, require_unique
 
+Bond = Literal["after", "until", "same_robot", "different_robot", "takes_over_from"]
+WAITS: tuple[Bond, ...] = ("after", "until", "takes_over_from")
+"""Of those, which are about when."""
+APART: tuple[Bond, ...] = ("different_robot", "takes_over_from")
+"""And which keep robots apart."""
 _NO_NAME = frozenset("()[]{};")
 
 
@@ -39,6 +45,12 @@ class Goal(Value):
         Names of the goals that end before this one starts.
     until
         Name of the goal whose end also ends what is open-ended in this one.
+    same_robot
+        Names of goals that are done by one robot together with this one: it fills every role of all of them.
+    different_robot
+        Names of goals of which no robot does anything that does anything of this one.
+    takes_over_from
+        Name of the goal whose last action ends when and where the first action of this one starts, by another robot: a hand-over.
     by
         Robot types that may do it; default: all.
     not_by
@@ -61,6 +73,9 @@ class Goal(Value):
     name: str = ""
     after: tuple[str, ...] = ()
     until: str = ""
+    same_robot: tuple[str, ...] = ()
+    different_robot: tuple[str, ...] = ()
+    takes_over_from: str = ""
     by: tuple[Id, ...] | None = None
     not_by: tuple[Id, ...] = ()
     release_s: NonNegative = 0.0
@@ -137,9 +152,16 @@ class Goal(Value):
         return (*self.arguments, *(name for slot in self.slots for name in self.filling(slot)))
 
     @property
-    def awaited(self) -> tuple[str, ...]:
-        """Names of all goals that this one refers to."""
-        return (*self.after, *((self.until,) if self.until else ()))
+    def bonds(self) -> tuple[tuple[Bond, str], ...]:
+        """All goals that this one refers to: by which field, and their names."""
+        fields: tuple[tuple[Bond, Iterable[str]], ...] = (
+            ("after", self.after),
+            ("until", filter(None, (self.until,))),
+            ("same_robot", self.same_robot),
+            ("different_robot", self.different_robot),
+            ("takes_over_from", filter(None, (self.takes_over_from,))),
+        )
+        return tuple((bond, name) for bond, names in fields for name in names)
 
     @property
     def shown(self) -> str:
@@ -180,13 +202,26 @@ def check_goals(goals: tuple[Goal, ...]) -> None:
     named = {goal.name: goal for goal in every if goal.name}
     require_unique("goal", tuple(goal.name for goal in every if goal.name))
     for goal in every:
-        for name in goal.awaited:
+        for bond, name in goal.bonds:
             if name not in named:
                 known = ", ".join(named) or "none"
                 raise ValueError(f"the goal {goal.shown!r} refers to goal {name!r}; named goals are: {known}.")
             if _holds(goal, named[name]) or _holds(named[name], goal):
-                raise ValueError(f"the goal {goal.shown!r} cannot wait for {name!r}; one is part of the other.")
+                why = "wait for" if bond in WAITS else f"name, by {bond},"
+                raise ValueError(f"the goal {goal.shown!r} cannot {why} {name!r}; one is part of the other.")
+    _refuse_opposed(every)
     _refuse_circle(every)
+
+
+def _refuse_opposed(goals: Iterable[Goal]) -> None:
+    """One robot and different ones for the same two goals; a hand-over is between different ones."""
+    bound = {frozenset((goal.name, name)) for goal in goals for name in goal.same_robot}
+    for goal in goals:
+        for bond, name in goal.bonds:
+            if bond in APART and frozenset((goal.name, name)) in bound:
+                raise ValueError(
+                    f"the goal {goal.shown!r} names {name!r} by {bond}, and one robot is to do both by same_robot; take one of them away."
+                )
 
 
 def _holds(outer: Goal, inner: Goal) -> bool:
@@ -195,7 +230,11 @@ def _holds(outer: Goal, inner: Goal) -> bool:
 
 def _refuse_circle(goals: tuple[Goal, ...]) -> None:
     """Take away, again and again, what waits for nothing that is left; what never goes waits for itself."""
-    waits = {goal.name: set(goal.after) for goal in goals if goal.name}
+    waits = {
+        goal.name: {name for bond, name in goal.bonds if bond in ("after", "takes_over_from")}
+        for goal in goals
+        if goal.name
+    }
     while free := [name for name, others in waits.items() if not others & waits.keys()]:
         for name in free:
             del waits[name]

@@ -18,6 +18,8 @@ IN_ORDER: frozenset[LinkKind] = frozenset({"precedence", "hand_over"})
 """Kinds of links whose first node has ended when the second starts."""
 APART: frozenset[LinkKind] = frozenset({"different_robot", "hand_over"})
 """Kinds of links whose nodes are done by different robots."""
+MUTUAL: frozenset[LinkKind] = frozenset({"same_robot", "different_robot"})
+"""Kinds of links that say the same the other way round."""
 
 
 @dataclass(frozen=True, slots=True)
