@@ -49,6 +49,39 @@ def test_a_file_is_known_by_its_first_line() -> None:
     assert not looks_like_shop("mission: 3 4\n")
 
 
+CLASSIC = "2 3\n0 3 1 4 2 5\n2 1 0 2 1 6\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [CLASSIC, "# two jobs\n#\n" + CLASSIC, "2 3\n1 3 2 4 3 5\n# the second\n3 1 1 2 2 6"],
+)
+def test_a_classic_job_shop_has_one_machine_for_each_operation(text: str) -> None:
+    assert looks_like_shop(text)
+    tree = shop_of(text)
+    leaves = [node for node, kind in enumerate(tree.kind) if kind == LEAF]
+    assert [(tree.robot[leaf], tree.duration[leaf]) for leaf in leaves] == [
+        (0, 3),
+        (1, 4),
+        (2, 5),
+        (2, 1),
+        (0, 2),
+        (1, 6),
+    ]
+    assert tree.precedence == [(2, 4), (4, 6), (9, 11), (11, 13)]
+
+
+def test_what_can_be_read_as_flexible_is() -> None:
+    """One job, six numbers: one operation on machine 0 or 2, or machine 1 for 2 s, 0 for 5 s, and 2 for 6 s? The first."""
+    tree = shop_of("1 3\n1 2 0 5 2 6\n")
+    assert [tree.duration[leaf] for leaf, kind in enumerate(tree.kind) if kind == LEAF] == [5, 6]
+
+
+def test_a_machine_that_is_missing_from_a_classic_line_makes_it_no_classic_one() -> None:
+    with pytest.raises(InputError, match="job 1 has no operation"):
+        shop_of("2 3\n0 3 1 4 1 5\n2 1 0 2 1 6\n")
+
+
 @pytest.mark.parametrize(
     ("text", "line", "said"),
     [

@@ -1,9 +1,9 @@
 """
-Flexible job shops in the form of Brandimarte's instances, as trees in columns.
+Job shops as trees in columns: flexible ones in the form of Brandimarte's instances, and classic ones (:mod:`classic_shop`).
 
 Line 1: how many jobs and how many machines; a third number, the machines per operation on average, may follow. Then a line per job: how
 many operations, and for each operation how many machines are able, and a machine and a time for each of these. Machines are numbered
-from 0 or from 1: from 1 if one has the number of machines as its number. Empty lines do not count.
+from 0 or from 1: from 1 if one has the number of machines as its number. Empty lines and lines that begin with # do not count.
 
 A job becomes an AND of operations, each before the next; an operation an XOR over the machines able to do it; a machine a robot, which
 does one thing at a time.
@@ -16,6 +16,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from missiontree.errors import InputError
+from missiontree.formats.importers.classic_shop import as_flexible, is_classic
 from missiontree.formats.place import quoted
 from missiontree.formats.source import clean, load_text
 from missiontree.mission.columns import AND, LEAF, XOR, TreeColumns
@@ -27,11 +28,11 @@ MOST_WAYS = 1_000_000
 FORM = "the number of operations, then for each: how many machines are able, and a machine and a time for each of them"
 _NUMBER = re.compile(r"\d{1,18}").fullmatch
 _DECIMAL = re.compile(r"\d{1,18}(\.\d*)?").fullmatch
-_HEAD = re.compile(r"\s*\d+[ \t]+\d+([ \t]+\d+(\.\d*)?)?[ \t]*(\r?\n|$)").match
+_HEAD = re.compile(r"(\s*#[^\n]*\n)*\s*\d+[ \t]+\d+([ \t]+\d+(\.\d*)?)?[ \t]*(\r?\n|$)").match
 
 
 def looks_like_shop(text: str) -> bool:
-    """Whether this is meant to be a file of this form: its first line is two or three numbers."""
+    """Whether this is meant to be a file of this form: its first line that is no comment is two or three numbers."""
     return _HEAD(text) is not None
 
 
@@ -64,14 +65,15 @@ def shop_of(text: str, source: str = "<text>") -> TreeColumns:
         )
     jobs, machines = _head(words, source, line)
     reading = _Reading(source, machines)
-    found = 0
-    for line, words in lines:
+    found, rest = 0, [*lines]
+    classic = is_classic([words for _, words in rest], machines)
+    for line, words in rest:
         if found == jobs:
             raise InputError(
                 f"a line follows the last of {jobs} jobs", file=source, line=line, accepted="no more lines than jobs"
             )
         found += 1
-        reading.job(found, words, line)
+        reading.job(found, as_flexible(words) if classic else words, line)
     if found < jobs:
         message = f"the file ends after {found} of {jobs} jobs"
         raise InputError(message, file=source, line=line, accepted="a line per job")
@@ -81,7 +83,7 @@ def shop_of(text: str, source: str = "<text>") -> TreeColumns:
 def _lines(text: str) -> Iterator[tuple[int, list[str]]]:
     for number, line in enumerate(text.split("\n"), start=1):
         words = line.split()
-        if words:
+        if words and not words[0].startswith("#"):
             yield number, words
 
 

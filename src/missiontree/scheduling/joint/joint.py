@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from random import Random
@@ -27,7 +27,7 @@ from missiontree.scheduling.joint.shops import workshop_of
 
 STRETCHES = (1.0, 0.0, 1.03, 1.08, 1.2, 1.5, 2.0, 3.0)
 """Targets of list schedules, as multiples of the bound."""
-BALANCE_SHARE, FLIP_SHARE, TABU_SHARE = 0.05, 0.05, 0.3
+BALANCE_SHARE, FLIP_SHARE, GLANCE_SHARE, TABU_SHARE = 0.05, 0.05, 0.05, 0.3
 BALANCE_ALONE = 0.4
 """Of the time limit that is left; the second, where robots are equal and the tabu search has no place."""
 NOISE = 0.2
@@ -40,6 +40,7 @@ TRIES = 300
 """Moves per action without a new best after which it ends as well."""
 MOST_FOR_TABU = 20_000
 MOST_FOR_SOLVER = 12_000
+MOST_FOR_GLANCE = 300
 """Leaves above which these are not worth their while."""
 LEAST_S = 0.2
 """Of time left, to ask the solver."""
@@ -127,17 +128,23 @@ def _steps(view: _View, known: Known, control: Control, solver: bool, bound_shar
     known.raise_bound(found.bound, "load")
     view.price = [float(each) for each in found.price]
     yield
+    leaves = len(view.problem.leaves)
+    if (
+        solver and leaves <= MOST_FOR_GLANCE
+    ):  # what is small is often solved and confirmed before any search has begun to tell
+        _solver(view, known, control, _Turn(control, GLANCE_SHARE).left)
+        yield
     yield from _balances(view, known, control)
     known.offer(view.pushed(known.best, known, control))
     yield from _lists(view, known)
     _flips(view, known, control)
     yield
-    if max(view.problem.count) == 1 and len(view.problem.leaves) <= MOST_FOR_TABU:
+    if max(view.problem.count) == 1 and leaves <= MOST_FOR_TABU:
         _tabu(view, known, control)
         yield
-    if solver and len(view.problem.leaves) <= MOST_FOR_SOLVER:
+    if solver and leaves <= MOST_FOR_SOLVER:
         yield from _raise(view, known, control, bound_share)
-        _solver(view, known, control)
+        _solver(view, known, control, lambda: _left(control))
         yield
 
 
@@ -161,7 +168,17 @@ class _Turn:
 
     def over(self) -> bool:
         """Whether to stop."""
-        return self.control.clock() >= self.until or self.control.ended()
+        return self.left() <= 0 or self.control.ended()
+
+    def left(self) -> float:
+        """Seconds that are left of it."""
+        return self.until - self.control.clock()
+
+
+def _left(control: Control) -> float:
+    """Seconds that are left of the whole; very many where there is no limit."""
+    left = control.part(1.0).time_limit_s
+    return 1e6 if left is None else left
 
 
 def _balances(view: _View, known: Known, control: Control) -> Iterator[None]:
@@ -223,9 +240,8 @@ def _raise(view: _View, known: Known, control: Control, share: float) -> Iterato
     known.word = max(known.word, known.bound)
     while share > 0 and width and known.word < known.best.makespan and not turn.over():
         upper = min(known.word + width, known.best.makespan) - 1
-        left = turn.until - control.clock()
         asked = solve(
-            view.problem, view.paths, known.word, upper, seed=control.seed, limit_s=left / 2, stop=control.stop
+            view.problem, view.paths, known.word, upper, seed=control.seed, limit_s=turn.left() / 2, stop=control.stop
         )
         if asked.verdict == "infeasible":
             known.word, width = upper + 1, 2 * width
@@ -236,16 +252,15 @@ def _raise(view: _View, known: Known, control: Control, share: float) -> Iterato
         yield
 
 
-def _solver(view: _View, known: Known, control: Control) -> None:
-    """Ask CP-SAT; and where it says that nothing is better, ask the model of the other form whether anything is."""
+def _solver(view: _View, known: Known, control: Control, left: Callable[[], float]) -> None:
+    """
+    Ask CP-SAT; and where it says that nothing is better, ask the model of the other form whether anything is.
+
+    ``left`` says how many seconds are left for that.
+    """
     from missiontree.scheduling.joint.solver import solve  # noqa: PLC0415 - heavy
 
     problem = view.problem
-
-    def left() -> float:
-        whole = control.part(1.0).time_limit_s
-        return 1e6 if whole is None else whole
-
     if left() < LEAST_S:
         return
     one = solve(
