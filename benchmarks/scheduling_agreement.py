@@ -28,6 +28,7 @@ from missiontree.mission.grounded import Action, Grounding
 from missiontree.mission.plan import Plan, Provenance
 from missiontree.mission.routine import RoutineLibrary
 from missiontree.mission.schedule import Schedule
+from missiontree.rechecking import recheck
 from missiontree.scheduling import SCHEDULERS
 from missiontree.scheduling.cpsat.formulation import Formulation
 from missiontree.scheduling.cpsat.search import Effort, search
@@ -104,9 +105,10 @@ def _claims(case: ScheduleCase, result: Schedule, truth: int | None) -> Iterator
 
 
 def _refused(case: ScheduleCase, result: Schedule) -> Iterator[tuple[str, str]]:
-    """What the checker says of what was found."""
+    """What the checkers say of what was found; the second is asked whatever the first says of the inputs."""
     if result.status in FOUND and _tells_order(case, result):
-        for fault in check(_plan(case, result)):
+        plan = _plan(case, result)
+        for fault in (*check(plan), *recheck(plan)):
             if fault.rule not in INPUTS:
                 yield "refused schedules", f"{fault.rule}: {fault.message}"
 

@@ -286,6 +286,28 @@ def test_nobody_uses_a_moved_thing_where_it_was() -> None:
     assert (finding.rule, finding.robot) == ("leg_destination_wrong", "r-2")
 
 
+def test_joint_actions_begin_before_either_has_moved_anything() -> None:
+    """
+    At 5 s r-1 looks at the box, and r-2, who is where the box is to be, brings it there: both in no time, and jointly.
+
+    So r-1 looks where the box was, at 10 m, and is in the far corner after 20 m more, at 15 s.
+    """
+    tree = grounded(
+        and_(
+            leaf("look", role="x", at="box", sync=0, duration_s=0),
+            leaf("bring", role="y", at="here", moves=True, brings=("box",), sync=0, duration_s=0),
+            leaf("rest", role="x", at="far", duration_s=1),
+        )
+    )
+    scene = replace(SCENE, places=(*SCENE.places, Entity(id="here", kind="place", position=HERE)))
+    actions = times((1, "r-1", 5, 5), (2, "r-2", 5, 5), (3, "r-1", 15, 16))
+    legs = (leg(1, 0, 5, HERE, THERE, 10), leg(2, 5, 5, HERE, HERE, 0, "r-2"), leg(3, 5, 15, THERE, FAR, 20))
+    assert rules(plan_of(tree, actions, *by_start(*legs), scene=scene)) == []
+    beside = (*legs[:2], leg(3, 5, 16.181, HERE, FAR, 22.361))
+    late = times((1, "r-1", 5, 5), (2, "r-2", 5, 5), (3, "r-1", 16.181, 17.181))
+    assert "leg_origin_wrong" in rules(plan_of(tree, late, *by_start(*beside), scene=scene))
+
+
 def test_the_leg_of_a_move_has_the_time_of_the_move() -> None:
     early = replace(WITH_BOX, start_s=5.5)
     assert only(plan_of(BRING, BROUGHT, *by_start(TO_BOX, early, TO_FAR), scene=SCENE)).rule == "leg_at_wrong_time"

@@ -64,7 +64,7 @@ class Movements:
         visiting.add(key)
         found = self._initial(entity)
         for move in self._moves.get(entity, ()):
-            if move.leaf == deed.leaf or move.end > deed.start:
+            if move.leaf == deed.leaf or move.end > deed.start or _one_activity(move, deed):
                 continue
             there = self._spots_at(move.action.at, move, visiting) if move.action.at is not None else (None,)
             certain = move.start < deed.start or self._timetable.surely_before(move.leaf, deed.leaf)
@@ -74,6 +74,11 @@ class Movements:
 
     def _initial(self, entity: str) -> tuple[Spot, ...]:
         return (self._case.scene.spots.get(entity),)
+
+
+def _one_activity(one: Deed, other: Deed) -> bool:
+    """Whether two actions are joint: they start as one, before either moves anything, even if they take no time."""
+    return one.action.sync is not None and one.action.sync == other.action.sync
 
 
 def start_spot(case: Case, robot: Robot | None) -> Spot:

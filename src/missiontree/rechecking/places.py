@@ -30,7 +30,7 @@ def left_at(facts: Facts, robot: str) -> tuple[Position | None, int]:
     for leaf in [leaf for role in facts.roles_of_robot[robot] for leaf in facts.leaves_of_role[role]]:
         action = facts.leaves[leaf]
         if action.at is not None or action.moves:
-            here = place_at(facts, action.at, facts.start_ms[leaf])
+            here = place_of(facts, leaf)
         free_ms = max(free_ms, facts.end_ms[leaf])
     if visits and milliseconds(last_s) > free_ms:
         last = max(visits, key=lambda visit: visit.end_s)
@@ -38,21 +38,23 @@ def left_at(facts: Facts, robot: str) -> tuple[Position | None, int]:
     return here, free_ms
 
 
-def place_at(facts: Facts, entity: str | None, when_ms: int) -> Position | None:
-    """Where an entity is at a time: where the last move that brought it went, else where the scene has it. None if unknown."""
-    return _place_at(facts, entity, when_ms, frozenset())
+def place_of(facts: Facts, leaf: int) -> Position | None:
+    """
+    Where an action is done: where the last move that brought its entity went, else where the scene has it. None if unknown.
+
+    Neither the action nor what it is joint with has moved anything when it starts, even if they take no time.
+    """
+    return _place_of(facts, leaf, frozenset())
 
 
-def _place_at(facts: Facts, entity: str | None, when_ms: int, asked: frozenset[int]) -> Position | None:
+def _place_of(facts: Facts, leaf: int, asked: frozenset[int]) -> Position | None:
     """As above; the moves already asked for are not asked again, for instant moves may bring two things to each other."""
-    where = _first_of(facts, entity)
-    moves = [
-        leaf for leaf in facts.bringing.get(entity or "", ()) if leaf not in asked and facts.end_ms[leaf] <= when_ms
-    ]
+    entity, when_ms, asked = facts.leaves[leaf].at, facts.start_ms[leaf], asked.union(facts.together(leaf))
+    brought = facts.bringing.get(entity or "", ())
+    moves = [move for move in brought if move not in asked and facts.end_ms[move] <= when_ms]
     if moves:
-        last = max(moves, key=lambda leaf: (facts.end_ms[leaf], leaf))
-        where = _place_at(facts, facts.leaves[last].at, facts.start_ms[last], asked | {last})
-    return where
+        return _place_of(facts, max(moves, key=lambda move: (facts.end_ms[move], move)), asked)
+    return _first_of(facts, entity)
 
 
 def _first_of(facts: Facts, entity: str | None) -> Position | None:

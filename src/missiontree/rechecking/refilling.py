@@ -9,7 +9,7 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import OwnLeg, Recharge
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
 from missiontree.rechecking.own_ways import leads
-from missiontree.rechecking.places import place_at, same_place, start_of
+from missiontree.rechecking.places import place_of, same_place, start_of
 
 RULE = "core_refill"
 LEVEL = "core_level"
@@ -81,7 +81,7 @@ def _comes(facts: Facts, visit: Recharge) -> Iterator[Reason]:
         elif isinstance(step, int):
             action = facts.leaves[step]
             if action.at is not None or action.moves:
-                here = place_at(facts, action.at, facts.start_ms[step])
+                here = place_of(facts, step)
             free_ms = max(free_ms, facts.end_ms[step])
     if visit.leg is not None and visit.leg.robot != visit.robot:
         yield broken(

@@ -9,7 +9,7 @@ from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import TravelLeg
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
-from missiontree.rechecking.places import NEAR_M, place_at, same_place, start_of
+from missiontree.rechecking.places import NEAR_M, place_of, same_place, start_of
 
 RULE = "core_travel"
 
@@ -38,7 +38,7 @@ def robots_come_from_where_they_were(facts: Facts) -> Iterator[Reason]:
                 visit = visits.pop(0)
                 here, free_ms = facts.world.charger_spots.get(visit.charger), milliseconds(visit.end_s)
             action = facts.leaves[leaf]
-            there = place_at(facts, action.at, facts.start_ms[leaf])
+            there = place_of(facts, leaf)
             leg = legs.get(leaf)
             if leg is not None:
                 yield from _leg_joins(facts, leg, here, there, free_ms)
