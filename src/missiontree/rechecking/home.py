@@ -8,7 +8,8 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import OwnLeg
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
 from missiontree.rechecking.own_ways import leads
-from missiontree.rechecking.places import left_at, same_place, start_of
+from missiontree.rechecking.places import same_place, start_of
+from missiontree.rechecking.walks import walk
 
 RULE = "core_home"
 
@@ -23,7 +24,7 @@ def everybody_comes_home(facts: Facts) -> Iterator[Reason]:
         if robot not in busy or len(several) > 1:
             yield broken(RULE, f"{robot} goes home {len(several)} times, and is not to.", robot=robot)
     for robot in busy:
-        here, free_ms = left_at(facts, robot)
+        *_, (_, here, free_ms) = walk(facts, robot)
         home = start_of(facts, robot)
         if robot in legs:
             yield from leads(facts, legs[robot][0], RULE, (here, home), free_ms)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from missiontree.mission.position import Position
-from missiontree.rechecking.facts import Facts, milliseconds
+from missiontree.rechecking.facts import Facts
 
 NEAR_M = 1e-3
 
@@ -20,22 +20,6 @@ def start_of(facts: Facts, robot: str) -> Position | None:
     if one.position is not None:
         return facts.world.in_map(one.position)
     return _first_of(facts, one.place)
-
-
-def left_at(facts: Facts, robot: str) -> tuple[Position | None, int]:
-    """Where a robot is after all that it does, None if unknown, and from when."""
-    here, free_ms = start_of(facts, robot), 0
-    visits = [one for one in facts.schedule.recharges if one.robot == robot] if facts.schedule is not None else []
-    last_s = max((visit.end_s for visit in visits), default=0.0)
-    for leaf in [leaf for role in facts.roles_of_robot[robot] for leaf in facts.leaves_of_role[role]]:
-        action = facts.leaves[leaf]
-        if action.at is not None or action.moves:
-            here = place_of(facts, leaf)
-        free_ms = max(free_ms, facts.end_ms[leaf])
-    if visits and milliseconds(last_s) > free_ms:
-        last = max(visits, key=lambda visit: visit.end_s)
-        return facts.world.charger_spots.get(last.charger), milliseconds(last_s)
-    return here, free_ms
 
 
 def place_of(facts: Facts, leaf: int) -> Position | None:

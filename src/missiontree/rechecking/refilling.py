@@ -9,7 +9,8 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import OwnLeg, Recharge
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
 from missiontree.rechecking.own_ways import leads
-from missiontree.rechecking.places import place_of, same_place, start_of
+from missiontree.rechecking.places import same_place
+from missiontree.rechecking.walks import steps, walk
 
 RULE = "core_refill"
 LEVEL = "core_level"
@@ -48,7 +49,7 @@ def visits_are_possible(facts: Facts) -> Iterator[Reason]:
 def visits_are_made_between_roles(facts: Facts) -> Iterator[Reason]:
     """A robot comes to a charger from where it was, in time, and is in no role while it is there; it goes on from there."""
     for robot in facts.roles_of_robot:
-        visits = _visits(facts, robot)
+        visits = [step for step in steps(facts, robot) if isinstance(step, Recharge)]
         for number, visit in enumerate(visits):
             start, end = milliseconds(visit.start_s), milliseconds(visit.end_s)
             for role in facts.roles_of_robot[robot]:
@@ -72,17 +73,7 @@ def visits_are_made_between_roles(facts: Facts) -> Iterator[Reason]:
 def _comes(facts: Facts, visit: Recharge) -> Iterator[Reason]:
     """The way to a charger."""
     goal = facts.world.charger_spots.get(visit.charger)
-    here, free_ms = start_of(facts, visit.robot), 0
-    for step in steps(facts, visit.robot):
-        if step is visit:
-            break
-        if isinstance(step, Recharge):
-            here, free_ms = facts.world.charger_spots.get(step.charger), milliseconds(step.end_s)
-        elif isinstance(step, int):
-            action = facts.leaves[step]
-            if action.at is not None or action.moves:
-                here = place_of(facts, step)
-            free_ms = max(free_ms, facts.end_ms[step])
+    here, free_ms = next(stand[1:] for stand in walk(facts, visit.robot) if stand.step is visit)
     if visit.leg is not None and visit.leg.robot != visit.robot:
         yield broken(
             RULE, f"{visit.robot} refills, and {visit.leg.robot} travels to {visit.charger}.", robot=visit.robot
@@ -104,7 +95,8 @@ def levels(facts: Facts) -> Iterator[Reason]:
         for name in sorted(can_refill(facts, kind.id)):
             full = kind.limits[name]
             level = facts.brief.fleet.robots[robot].remaining.get(name, full)
-            for step in steps(facts, robot):
+            home = [leg for leg in facts.schedule.returns if leg.robot == robot] if facts.schedule is not None else []
+            for step in (*steps(facts, robot), *home):
                 metres = 0.0
                 if isinstance(step, int):
                     leg = legs.get((robot, step))
@@ -121,22 +113,6 @@ def levels(facts: Facts) -> Iterator[Reason]:
                 if low < -LITTLE or level > full + LITTLE:
                     yield broken(LEVEL, f"{robot} has {min(low, level):g} to {level:g} of {name}.", robot=robot)
                     break
-
-
-def steps(facts: Facts, robot: str) -> list[int | Recharge | OwnLeg]:
-    """What a robot does (leaves), its visits to chargers, and its way home, in order of time."""
-    visits, found = _visits(facts, robot), list[int | Recharge | OwnLeg]()
-    for leaf in [leaf for role in facts.roles_of_robot[robot] for leaf in facts.leaves_of_role[role]]:
-        while visits and milliseconds(visits[0].start_s) < facts.start_ms[leaf]:
-            found.append(visits.pop(0))
-        found.append(leaf)
-    home = [leg for leg in facts.schedule.returns if leg.robot == robot] if facts.schedule is not None else []
-    return [*found, *visits, *home]
-
-
-def _visits(facts: Facts, robot: str) -> list[Recharge]:
-    visits = facts.schedule.recharges if facts.schedule is not None else ()
-    return sorted((one for one in visits if one.robot == robot), key=lambda one: (one.start_s, one.end_s))
 
 
 def _serves(charger: Charger, type_id: str) -> bool:

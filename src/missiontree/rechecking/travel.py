@@ -9,7 +9,8 @@ from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import TravelLeg
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
-from missiontree.rechecking.places import NEAR_M, place_of, same_place, start_of
+from missiontree.rechecking.places import NEAR_M, place_of, same_place
+from missiontree.rechecking.walks import walk
 
 RULE = "core_travel"
 
@@ -28,26 +29,16 @@ def legs_belong(facts: Facts) -> Iterator[Reason]:
 def robots_come_from_where_they_were(facts: Facts) -> Iterator[Reason]:
     """Step by step along each robot's actions: where it is, where the action is, and how it comes there."""
     legs = {leg.leaf: leg for leg in facts.schedule.legs} if facts.schedule is not None else {}
-    for robot, roles in facts.roles_of_robot.items():
-        here = start_of(facts, robot)
-        free_ms = 0
-        visits = [one for one in facts.schedule.recharges if one.robot == robot] if facts.schedule is not None else []
-        visits.sort(key=lambda one: (one.start_s, one.end_s))
-        for leaf in [leaf for role in roles for leaf in facts.leaves_of_role[role]]:
-            while visits and milliseconds(visits[0].start_s) < facts.start_ms[leaf]:
-                visit = visits.pop(0)
-                here, free_ms = facts.world.charger_spots.get(visit.charger), milliseconds(visit.end_s)
-            action = facts.leaves[leaf]
-            there = place_of(facts, leaf)
-            leg = legs.get(leaf)
+    for robot in facts.roles_of_robot:
+        for step, here, free_ms in walk(facts, robot):
+            if not isinstance(step, int):
+                continue
+            there, leg = place_of(facts, step), legs.get(step)
             if leg is not None:
                 yield from _leg_joins(facts, leg, here, there, free_ms)
             elif here is not None and there is not None and not same_place(here, there):
-                message = f"{robot} is at {_shown(here)}; {facts.label(leaf)} is at {_shown(there)}, and no travel is planned."
-                yield broken(RULE, message, node=leaf, robot=robot)
-            if action.at is not None:
-                here = there
-            free_ms = facts.end_ms[leaf]
+                message = f"{robot} is at {_shown(here)}; {facts.label(step)} is at {_shown(there)}, and no travel is planned."
+                yield broken(RULE, message, node=step, robot=robot)
 
 
 def _leg_joins(
