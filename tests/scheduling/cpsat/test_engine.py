@@ -299,3 +299,27 @@ def test_who_waits_for_something_does_not_go_on_to_do_it(place: str | None, far:
     draft = replay(problem, formulation.course(found.values))
     assert draft is not None
     assert (found.objective, draft.makespan) == (10_000, 10_000)
+
+
+def test_what_is_held_until_something_ends_is_not_passed_on_to_what_comes_before_that() -> None:
+    """
+    Somebody works 3 s, takes the lift, which takes no time, and then glances; a watch holds the lift until the glance.
+
+    By times alone the lift could be free for the ride at 3 s, when watch and glance are over; but the glance comes after the ride. So
+    the ride comes before the watch, at 3 s, and the glance a millisecond after the watch has begun.
+    """
+    ride = [work(3), work(0, holds=["lift"]), work(0)]
+    parts = [Part("watch", "r", [work(open_ended=True, holds=["lift"])]), Part("go", "s", ride)]
+    made = mission(parts, [("watch.0", "go.2", "until")])
+    world = replace(scene(), resources=(SharedResource(id="lift"),))
+    problem = read_problem(made.tree, made.alternative, Fleet((robots("r"), robots("s"))), world, NO_TERMS)
+    assert isinstance(problem, Problem)
+    formulation = Formulation(problem, 20_000)
+    found = search(formulation.model, 60, lambda: False)
+    assert found.objective == 3000
+    assert replay(problem, formulation.course(found.values)) is None
+    assert formulation.keep_to_orders()
+    found = search(formulation.model, 60, lambda: False)
+    draft = replay(problem, formulation.course(found.values))
+    assert draft is not None
+    assert (found.objective, draft.makespan) == (3001, 3001)

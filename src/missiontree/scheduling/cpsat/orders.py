@@ -3,8 +3,9 @@ What times allow and no order of events does, because something takes no time; s
 
 The giver of a hand-over ends when the taker starts, and both are one moment: an activity without length could stand there, after the
 one for some reason and before the other for another. What lasts until something ends is over then, so that its robot could go on to
-just that, if it takes no time. And of two things that a robot does at one moment, one could be first for the robot and the other for
-what they move. Rules of schedules speak of times, and do not forbid it. So nothing but answers may be taken from a model that does.
+just that, if it takes no time, or what it holds could be passed on to what comes before that. And of two things that a robot does at
+one moment, one could be first for the robot and the other for what they move. Rules of schedules speak of times, and do not forbid it.
+So nothing but answers may be taken from a model that does.
 """
 
 from __future__ import annotations
@@ -26,51 +27,85 @@ MOST_MEMBERS = 8
 def keep_to_orders(
     model: Model, problem: Problem, times: Times, ordering: Ordering, tours: Sequence[Tours], heads: Sequence[Staff]
 ) -> None:
-    """Keep activities without length out of hand-overs, robots from waiting for themselves, and one order of what a robot does."""
+    """Keep what has no length out of hand-overs and untils, robots from waiting for themselves, and one order of what a robot does."""
     for pair in sorted(ordering.literals):
         for first, second in (pair, pair[::-1]):
             for arc in _arcs(problem, tours, first, second):
                 model.implies((arc,), ordering.before(first, second))
+    between = _Between(model, problem, times, ordering, tours, heads)
     for open_ended, ends in sorted(problem.graph.until.items()):
         for one in sorted(ends):
             for arc in _arcs(problem, tours, open_ended, one):
                 model.clause(negated(arc))
             for both in _by_one(problem, heads, open_ended, one):
                 model.at_least(times.start[open_ended], times.end[one], when=both)
-    _keep_hand_overs_whole(model, problem, times, ordering, tours, heads)
-
-
-def _keep_hand_overs_whole(
-    model: Model, problem: Problem, times: Times, ordering: Ordering, tours: Sequence[Tours], heads: Sequence[Staff]
-) -> None:
-    """
-    Keep activities without length out of hand-overs.
-
-    Reasons to come after a giver or before a taker are a resource without room for both, one robot for both, an order that is certain, or
-    that a robot does the one role right after the other. Longer chains of activities without length are left out.
-    """
-    rivals = {frozenset(pair) for name in problem.sharing.capacity for pair in problem.sharing.rivals(name)}
-    instants = [one for one in range(len(times.start)) if not problem.bounds.duration[one]]
+            between.what_lasts(open_ended, one)
     for giver, taker in sorted(problem.hand_overs.taker.items()):
-        for one in instants:
-            if one in (giver, taker):
-                continue
-            after_giver, before_taker = (
-                [()]
-                if frozenset((one, side)) in rivals or _one_robot(problem, one, side)
-                else list(_by_one(problem, heads, one, side))
-                for side in (giver, taker)
-            )
-            for both in product(after_giver, before_taker):
-                when, first = (*both[0], *both[1]), model.boolean()
-                model.at_least(times.start[giver], times.end[one], when=(first, *when))
-                model.at_least(times.start[one], times.end[taker], when=(negated(first), *when))
-            for when in () if () in before_taker else after_giver:
-                for literal in _reasons(model, problem, ordering, tours, one, taker):
-                    model.at_least(times.start[giver], times.end[one], when=(literal, *when))
-            for when in () if () in after_giver else before_taker:
-                for literal in _reasons(model, problem, ordering, tours, giver, one):
-                    model.at_least(times.start[one], times.end[taker], when=(literal, *when))
+        between.hand_over(giver, taker)
+
+
+class _Between:
+    """
+    Keeps activities without length from coming after what they must come before, all at one moment.
+
+    Reasons to come before or after something are a resource without room for both, one robot for both, an order that is certain, or that
+    a robot does the one role right after the other. Longer chains of activities without length are left out.
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        problem: Problem,
+        times: Times,
+        ordering: Ordering,
+        tours: Sequence[Tours],
+        heads: Sequence[Staff],
+    ) -> None:
+        self._model, self._problem, self._times = model, problem, times
+        self._ordering, self._tours, self._heads = ordering, tours, heads
+        self._rivals = {frozenset(pair) for name in problem.sharing.capacity for pair in problem.sharing.rivals(name)}
+        self._instants = [one for one in range(len(times.start)) if not problem.bounds.duration[one]]
+
+    def what_lasts(self, open_ended: int, end: int) -> None:
+        """What cannot be done while something lasts, and comes before what that lasts until, is over when it begins."""
+        for one in self._others(open_ended, end):
+            for when in self._not_both(one, open_ended):
+                for literal in self._reasons(one, end):
+                    self._after(open_ended, one, (literal, *when))
+
+    def hand_over(self, giver: int, taker: int) -> None:
+        """Nothing is done between giving and taking."""
+        for one in self._others(giver, taker):
+            not_giving, not_taking = self._not_both(one, giver), self._not_both(one, taker)
+            for both in product(not_giving, not_taking):
+                when, first = (*both[0], *both[1]), self._model.boolean()
+                self._after(giver, one, (first, *when))
+                self._after(one, taker, (negated(first), *when))
+            for when in () if () in not_taking else not_giving:
+                for literal in self._reasons(one, taker):
+                    self._after(giver, one, (literal, *when))
+            for when in () if () in not_giving else not_taking:
+                for literal in self._reasons(giver, one):
+                    self._after(one, taker, (literal, *when))
+
+    def _others(self, *sides: int) -> list[int]:
+        return [one for one in self._instants if one not in sides]
+
+    def _after(self, later: int, earlier: int, when: Sequence[int]) -> None:
+        """One activity starts when another is over, where all these literals hold."""
+        self._model.at_least(self._times.start[later], self._times.end[earlier], when=when)
+
+    def _not_both(self, one: int, other: int) -> list[tuple[int, ...]]:
+        """Literals that together let two activities not be done at once; none for two that never are."""
+        if frozenset((one, other)) in self._rivals or _one_robot(self._problem, one, other):
+            return [()]
+        return [*_by_one(self._problem, self._heads, one, other)]
+
+    def _reasons(self, first: int, second: int) -> Iterator[int]:
+        """Literals that each make one activity come before another."""
+        if self._ordering.certain(first, second):
+            yield self._model.true
+        yield from _arcs(self._problem, self._tours, first, second)
 
 
 def _one_robot(problem: Problem, one: int, other: int) -> bool:
@@ -82,15 +117,6 @@ def _one_robot(problem: Problem, one: int, other: int) -> bool:
 
 def _roles(problem: Problem, activity: int) -> set[int]:
     return {problem.graph.tree.action(leaf).role for leaf in problem.graph.activities[activity]}
-
-
-def _reasons(
-    model: Model, problem: Problem, ordering: Ordering, tours: Sequence[Tours], first: int, second: int
-) -> Iterator[int]:
-    """Literals that each make one activity come before another."""
-    if ordering.certain(first, second):
-        yield model.true
-    yield from _arcs(problem, tours, first, second)
 
 
 def _arcs(problem: Problem, tours: Sequence[Tours], first: int, second: int) -> Iterator[int]:
