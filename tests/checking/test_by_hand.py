@@ -620,6 +620,24 @@ def test_what_must_be_taken_in_at_chargers_counts_in_the_bound_that_claims_it() 
     assert least(claiming(plan, "feasible", "bounded", "refill_load", 12)) == 12_000
 
 
+@pytest.mark.parametrize(("moves", "seconds"), [(False, 17), (True, 15)])
+def test_ways_into_roles_count_in_the_bound(moves: bool, seconds: int) -> None:
+    """
+    One robot at the origin, 2 m/s, has to be at (10, 0) and at (10, 20), a second of work at each, or no more than a move there.
+
+    To (10, 0) it comes from no nearer than the origin, 5 s; to (10, 20) from no nearer than (10, 0), 10 s. With the work 17 s, which
+    it can do; the checker's bound is as long whether the ways are before actions or actions themselves.
+    """
+    more = {"moves": True} if moves else {"duration_s": 1}
+    tree = grounded(and_(leaf("a", role="x", at="there", **more), leaf("b", role="y", at="far", **more)))
+    actions = times((1, "r-1", 0, 5), (2, "r-1", 5, 15)) if moves else times((1, "r-1", 5, 6), (2, "r-1", 16, 17))
+    second = 5 if moves else 6
+    legs = (leg(1, 0, 5, HERE, THERE, 10), leg(2, second, second + 10, THERE, FAR, 20))
+    plan = plan_of(tree, actions, *legs, fleet=team(1), scene=SCENE)
+    assert check(plan) == ()
+    assert least(plan) == 1000 * seconds
+
+
 def least(plan: Plan) -> int | None:
     """The checker's own bound of the only schedule."""
     case = Case(plan)

@@ -3,9 +3,9 @@ A bound of the checker's own: no schedule of an alternative can be shorter, by d
 
 Three plain arguments. *Critical path*: actions of a role, of a precedence and of an until link follow each other, with the travel
 that is certain between them, and none starts before its release time, or before the nearest robot of its type can be there; where robots
-return, the way home follows. *Load*:
-robots take one role at a time, so the roles of a type fill at least their sum shared among its robots, after the earliest start and
-before the least that must still follow. *Resource load*: the same of what holds a shared resource, and its capacity. *Refill load*,
+return, the way home follows. *Load*: robots take one role at a time, so the roles of a type, with the ways to places that robots come
+to for nothing else (:mod:`footing`), fill at least their sum shared among its robots, after the earliest start and before the least that
+must still follow. *Resource load*: the same of what holds a shared resource, and its capacity. *Refill load*,
 for schedules that claim it: what the actions of a type use beyond what its robots hold is taken in before one role or other, which
 takes the robots time, and the chargers; ways count as nothing there.
 """
@@ -19,6 +19,7 @@ from itertools import pairwise
 
 from missiontree.checking.case import Case
 from missiontree.checking.clock import ticks_needed
+from missiontree.checking.footing import Footing
 from missiontree.checking.haunts import Haunts
 from missiontree.checking.journeys import Spot
 from missiontree.checking.load import Piece, shared
@@ -50,7 +51,7 @@ class _Bound:
     def __init__(self, case: Case, timetable: Timetable) -> None:
         self._case, self._staffing = case, timetable.staffing
         self._actions = timetable.staffing.actions
-        self._haunts = case.once(Haunts, timetable)
+        self._haunts, self._footing = case.once(Haunts, timetable), case.once(Footing, timetable)
         self._group = {leaf: ("alone", leaf) for leaf in self._actions}
         for sync, leaves in self._staffing.joint.items():
             self._group |= dict.fromkeys(leaves, ("joint", sync))
@@ -141,11 +142,13 @@ class _Bound:
         """Least ticks of a move, or of the way to an action from where its role was before."""
         action, there = self._actions[leaf], self._haunts.of_leaf(leaf)
         here = self._here(leaf)
-        if here is None:  # the first of its role: the robot may have got there before
-            return self._nominal(action) if there == {None} else 0
-        if action.at is None or len(here) * len(there) > MOST_WAYS:
+        if here is None and action.moves:
+            here = self._footing.before(action.role)
+        if there == {None}:
+            return self._nominal(action)
+        if here is None or len(here) * len(there) > MOST_WAYS:  # the robot may have got there before, or be anywhere
             return 0
-        return min(self._way(action, origin, goal) for origin in here for goal in there)
+        return min((self._way(action, origin, goal) for origin in here for goal in there), default=0)
 
     def _here(self, leaf: int) -> frozenset[Spot] | None:
         """Where a robot may be after what its role did before an action; None if its role did nothing anywhere yet."""
@@ -235,15 +238,25 @@ class _Bound:
 
     def _load(self, heads: dict[object, int], tails: dict[object, int]) -> int:
         """The largest, over robot types and over earliest starts, of start + work of the roles not before it, shared + what follows."""
-        pieces = self._pieces(heads, tails)
-        return max((shared(own, self._case.most_in_use(type_id)) for type_id, own in pieces.items()), default=0)
+        forms = (self._pieces(heads, tails), self._pieces(heads, tails, entered=True))
+        types = ((own, self._case.most_in_use(type_id)) for form in forms for type_id, own in form.items())
+        return max((shared(own, robots) for own, robots in types), default=0)
 
-    def _pieces(self, heads: dict[object, int], tails: dict[object, int]) -> dict[str, list[Piece]]:
+    def _pieces(
+        self, heads: dict[object, int], tails: dict[object, int], entered: bool = False
+    ) -> dict[str, list[Piece]]:
+        """Roles as pieces of work by type; if ``entered``, with the way to where they begin, for which nobody need set out sooner."""
         pieces: dict[str, list[Piece]] = {}
         for role, leaves in self._staffing.leaves_of_role.items():
             lag = sum(self._wait[leaf] for leaf in leaves[1:] if not self._actions[leaf].moves)
             work = lag + sum(self._length[self._group[leaf]] for leaf in leaves)
-            piece = (heads[self._start(leaves[0])], work, tails[self._end(leaves[-1])])
+            head, first = heads[self._start(leaves[0])], leaves[0]
+            entry = self._footing.entry(role) if entered and first not in self._stretched else 0
+            if self._actions[first].moves:  # the way is the action itself
+                work += max(0, entry - self._length[self._group[first]])
+            else:
+                head, work = max(0, head - entry), work + entry
+            piece = (head, work, tails[self._end(leaves[-1])])
             pieces.setdefault(self._staffing.type_of_role[role], []).append(piece)
         return pieces
 
