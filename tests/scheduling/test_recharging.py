@@ -16,6 +16,10 @@ from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.schedule import Schedule
 from missiontree.mission.terms import Terms
 from missiontree.scheduling import SCHEDULERS
+from missiontree.scheduling.course import Course
+from missiontree.scheduling.greedy import read_problem
+from missiontree.scheduling.problem import FILLINGS, Problem
+from missiontree.scheduling.replay import replay
 from tests.scheduling.instances import Instance, Part, at, mission, robots, scene, times, work
 
 CASES = [index for index in range(200) if "chargers" in random_schedule_case(luck(8, index)).features]
@@ -104,6 +108,31 @@ def test_a_robot_keeps_enough_for_the_way_to_a_charger() -> None:
     # 30 s of way, 10 s of work, 5 m to the charger with 5 J left; 60 J and 5 J for the way back are needed: 65 - 5 = 60 J in 6 s
     assert visits(near) == [("r-1", 45, 51, 60)]
     assert times(made, near) == {"a.0": (30, 40), "b.0": (56, 66)}
+
+
+def test_whose_tour_is_known_takes_in_what_the_rest_of_it_asks_for() -> None:
+    """
+    20 J, a charger of 1 J/s at 0, and three glances: at 10, then at -4, then at -9, 1 m/s and 1 J/m.
+
+    After the first 10 J are left, too few for 14 m, so the robot is back at 10 + 10 = 20 s with none. Enough for the next, and to come back
+    to the charger, are 8 J, 8 s; from -4, at 32 s, it comes back with none, 36 s, needs 9 J for the last, and is there at 54 s. For the
+    rest of the tour 9 J do: it is done at 20 + 9 + 9 = 38 s. Filled up, in 20 s, it is done at 49 s.
+    """
+    made = mission([Part(name, "r", [work(0, at=name)]) for name in "abc"], [("a", "b"), ("b", "c")])
+    world = replace(scene(a=10, b=-4, c=-9), chargers=(Charger(id="plug", position=at(0), rate_per_s=1),))
+    fleet = Fleet((battery(limits={"energy_j": 20.0, "max_speed_mps": 1.0}),))
+    problem = read_problem(made.tree, made.alternative, fleet, world, Terms(chargers=world.chargers))
+    assert isinstance(problem, Problem)
+    course = Course(dict.fromkeys((0, 1, 2), "r-1"), {"r-1": [0, 1, 2]})
+    ends = {}
+    for filling in FILLINGS:
+        draft = replay(problem, course, (filling,))
+        assert draft is not None
+        ends[filling] = draft.makespan
+    assert ends == {"enough": 54_000, "rest": 38_000, "full": 49_000}
+    best = replay(problem, course)
+    assert best is not None
+    assert best.makespan == 38_000
 
 
 def test_chargers_in_a_row_carry_a_robot_far() -> None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 from missiontree.scheduling.precedence import TaskGraph
+from missiontree.scheduling.problem import Draft
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +32,16 @@ class Course:
     after_end: Sequence[tuple[int, int]] = ()
     after_start: Sequence[tuple[int, int]] = ()
     under_way: Mapping[int, int] = field(default_factory=dict)
+
+
+def tours_of(draft: Draft, graph: TaskGraph) -> dict[str, list[int]]:
+    """Roles of each robot of a draft that does any, in the order in which it does them."""
+    spans = {one.leaf: (one.start, one.end) for one in draft.done}
+    order = {role: (spans[leaves[0]][0], spans[leaves[-1]][1], role) for role, leaves in graph.roles.items()}
+    tours: dict[str, list[int]] = {}
+    for role in sorted(order, key=lambda role: order[role]):
+        tours.setdefault(draft.robot_of[role], []).append(role)
+    return tours
 
 
 def passings(graph: TaskGraph, tours: Mapping[str, Sequence[int]]) -> list[tuple[int, int]]:

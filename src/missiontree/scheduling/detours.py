@@ -3,8 +3,8 @@ Detours to chargers: where a robot refills between two roles, so that its levels
 
 A robot goes to a charger only if its levels do not last for its next role and, if more is to come for its type, for the way to a charger
 afterwards. Of all ways over up to four chargers the one that lets it begin soonest is taken; at chargers on the way to the last it fills
-up, and at the last takes in what is asked for, or all that it holds, as the run decides; before its last role, and on its way home, no
-more than is asked for.
+up, and at the last takes in what is asked for, or all that it holds, as the run decides, or what lasts for the rest of its roles, where
+they are known; before its last role, and on its way home, no more than is asked for.
 """
 
 from __future__ import annotations
@@ -98,7 +98,12 @@ class Detours:
         return type_id in self._chargers.stations
 
     def before_role(
-        self, role: int, robot: RobotState, taken: Sequence[Refill] = (), more: bool | None = None
+        self,
+        role: int,
+        robot: RobotState,
+        taken: Sequence[Refill] = (),
+        more: bool | None = None,
+        later: Sequence[int] = (),
     ) -> Stance | None:
         """
         Where a robot sets out for a role; None if its levels cannot last for it.
@@ -112,12 +117,14 @@ class Detours:
         more
             Whether something is to come for the robot after the role. Default: if so many roles of its type have not begun that the
             other robots cannot take one each; where robots fill up, if there is any.
+        later
+            Roles that the robot does afterwards, one after the other, for which it had better refill at once. Default: it is not known.
         """
         if more is None:
             others = self._board.problem.fleet.by_id[robot.type_id].usable - 1
             more = self._board.open_roles[robot.type_id] - 1 > (others if self._board.rule.refill == "enough" else 0)
-        if taken or self._board.problem.sharing.on_ways:  # then ways of others change what is soonest, too
-            return self._seek(role, robot, taken, more=more)
+        if taken or later or self._board.problem.sharing.on_ways:  # then ways of others change what is soonest, too
+            return self._seek(role, robot, taken, more=more, later=later)
         board, levels = self._board, tuple(robot.left[name] for name in sorted(self._chargers.refilled[robot.type_id]))
         state = robot.free_at, robot.stand, levels, len(board.refills), board.world.moves, more
         key = board.problem.alike[role], robot.id
@@ -125,10 +132,13 @@ class Detours:
             self._known[key] = state, self._seek(role, robot, (), more=more)
         return self._known[key][1]
 
-    def _seek(self, role: int, robot: RobotState, taken: Sequence[Refill], *, more: bool) -> Stance | None:
+    def _seek(
+        self, role: int, robot: RobotState, taken: Sequence[Refill], *, more: bool, later: Sequence[int] = ()
+    ) -> Stance | None:
         full = more and self._board.rule.refill == "full"
         for careful in (True, False):
-            stance = self._find(robot, self._asked(role, robot, more=more, careful=careful), taken, full=full)
+            asked = self._asked(role, robot, more=more, careful=careful, later=later)
+            stance = self._find(robot, asked, taken, full=full)
             if stance is not None:
                 return stance if careful else Stance(stance.spot, stance.free_at, stance.refills, stranded=True)
         return None
@@ -168,7 +178,7 @@ class Detours:
 
     # --- seeking ----------------------------------------------------------------------------------------------------
 
-    def _asked(self, role: int, robot: RobotState, *, more: bool, careful: bool) -> Ask:
+    def _asked(self, role: int, robot: RobotState, *, more: bool, careful: bool, later: Sequence[int]) -> Ask:
         def ask(spot: Spot) -> Asked | None:
             demand = self.demand(role, spot)
             if demand is None:
@@ -179,10 +189,31 @@ class Detours:
             if reserve is None:
                 return None
             needed = {name: level + reserve[name] for name, level in demand.levels.items()}
-            home = self._way_home(robot, demand.ends) if self._board.problem.returning and not more else {}
-            return Asked(demand.way, needed, {name: demand.levels[name] + level for name, level in home.items()})
+            wished: Levels = {}
+            if later or (self._board.problem.returning and not more):
+                rest = self._rest(robot, demand.ends, later)
+                wished = {name: demand.levels[name] + level for name, level in rest.items()}
+            return Asked(demand.way, needed, wished)
 
         return ask
+
+    def _rest(self, robot: RobotState, spot: Spot, later: Sequence[int]) -> Levels:
+        """What roles, one after the other, and the way home take from a spot on, if no charger is visited; nothing if there is no way."""
+        total = dict.fromkeys(self._chargers.refilled[robot.type_id], 0.0)
+        for role in later:
+            demand = self.demand(role, spot)
+            if demand is None:
+                return {}
+            spot = demand.ends
+            for name in total:
+                total[name] += demand.levels[name]
+        if self._board.problem.returning:
+            trip = self._board.problem.trips.approach(robot.type_id, spot, robot.home)
+            if isinstance(trip, Blocked):
+                return {}
+            for name, level in self._spent(robot, trip.metres).items():
+                total[name] += level
+        return total
 
     def _reserve(self, robot: RobotState, spot: Spot, more: bool) -> Levels | None:
         """What must be left at the end of a role: for the way to a charger, or home; None if there is no way."""
@@ -201,11 +232,6 @@ class Detours:
                 return None
             found[name] = self._per_m[robot.type_id].get(name, 0.0) * min(metres)
         return found
-
-    def _way_home(self, robot: RobotState, spot: Spot) -> Levels:
-        """What the way home takes, without a visit to a charger."""
-        trip = self._board.problem.trips.approach(robot.type_id, spot, robot.home)
-        return {} if isinstance(trip, Blocked) else self._spent(robot, trip.metres)
 
     def _spent(self, robot: RobotState, metres: float) -> Levels:
         per_m = self._per_m[robot.type_id]

@@ -77,6 +77,7 @@ def greedy(
         runs.go(MAX_RUNS)
         if runs.best is not None and (before is None or runs.best.makespan < before.makespan):
             proof = _tried(runs, control)
+    runs.refill_for_tours()
     if runs.best is not None:
         return found_schedule(problem, alternative, runs.best, proof)
     if proof is not None:

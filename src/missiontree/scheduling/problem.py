@@ -19,7 +19,8 @@ from missiontree.scheduling.sharing import NOTHING_SHARED, Sharing
 from missiontree.scheduling.staffing import Staffing
 from missiontree.scheduling.trips import Trip, Trips
 
-Filling = Literal["enough", "full"]
+Filling = Literal["enough", "rest", "full"]
+FILLINGS: tuple[Filling, ...] = ("enough", "rest", "full")
 Crew = Literal["joint", "bundle", "none"]
 
 
@@ -96,7 +97,8 @@ class Rule:
     binding
         Robot of each group of roles, if it is fixed beforehand.
     refill
-        How robots refill: ``enough`` (default) for what comes next, or until they are ``full``, and then always with a charger in reach.
+        How robots refill: ``enough`` (default) for what comes next, for the ``rest`` of their roles where these are known, or until they
+        are ``full``, and then always with a charger in reach.
     """
 
     crew: Crew = "joint"

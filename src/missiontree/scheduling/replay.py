@@ -7,7 +7,7 @@ This is where what a solver says becomes a schedule of ours. A course that canno
 from __future__ import annotations
 
 import heapq
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise, permutations
 
@@ -26,21 +26,27 @@ from missiontree.scheduling.mission_terms import terms_broken
 from missiontree.scheduling.passage import find_passage, hold_ways, wanted_by
 from missiontree.scheduling.placing import length
 from missiontree.scheduling.precedence import indegrees
-from missiontree.scheduling.problem import Done, Draft, Problem, Rule
+from missiontree.scheduling.problem import FILLINGS, Done, Draft, Filling, Problem, Rule
 from missiontree.scheduling.room import peak
 from missiontree.scheduling.stuck import StuckError
 from missiontree.scheduling.trips import Trip
 
 
-def replay(problem: Problem, course: Course) -> Draft | None:
+def replay(problem: Problem, course: Course, refills: Sequence[Filling] = FILLINGS) -> Draft | None:
     """
     The draft of a course; None if it contradicts itself, leads nowhere, uses more than there is, or comes too late.
 
-    Where robots refill, the better of two: as much as is needed, or all they hold.
+    Parameters
+    ----------
+    problem, course
+        What is decided of what.
+    refills
+        Where robots refill: how much at a visit, each of which is tried for the best. Default: as much as is needed next, as the rest of
+        the tour takes, or as they hold.
     """
     if not _may_fill(problem, course):
         return None
-    rules = (Rule(), Rule(refill="full")) if problem.chargers else (Rule(),)
+    rules = [Rule(refill=filling) for filling in refills] if problem.chargers else [Rule()]
     drafts = [draft for rule in rules if (draft := _played(problem, course, rule)) is not None]
     return min(drafts, key=lambda draft: draft.value, default=None)
 
@@ -78,11 +84,13 @@ class _Replay:
         self._board = board = Board(problem, rule)
         self._demands = Demands(board)
         self._detours = Detours(board, self._demands)
-        self._opens: dict[int, list[tuple[int, bool]]] = {}  # by activity: roles that begin, and whether more follows
+        self._opens: dict[
+            int, list[tuple[int, Sequence[int]]]
+        ] = {}  # by activity: roles that begin, and what follows each
         for roles in course.tours.values():
             for place, role in enumerate(roles):
                 first = graph.activity_of[graph.roles[role][0]]
-                self._opens.setdefault(first, []).append((role, place + 1 < len(roles)))
+                self._opens.setdefault(first, []).append((role, roles[place + 1 :]))
         for role, group in board.staffing.group_of.items():
             board.robot_of_group[group] = board.world.robots[course.robots[role]]
         self._later = [list(later) for later in graph.successors]
@@ -146,10 +154,11 @@ class _Replay:
     def _begin(self, activity: int) -> None:
         board, actions = self._board, self._board.actions(activity)
         robots = {leaf: board.robot_of_group[board.staffing.group_of[action.role]] for leaf, action in actions}
-        for role, more in self._opens.get(activity, ()):
+        for role, rest in self._opens.get(activity, ()):
             robot = board.robot_of_group[board.staffing.group_of[role]]
             if self._detours.refills(robot.type_id):
-                stance = self._detours.before_role(role, robot, more=more)
+                later = rest if board.rule.refill == "rest" else ()
+                stance = self._detours.before_role(role, robot, more=bool(rest), later=later)
                 self._detours.visit(robot, stance.refills if stance is not None else ())
         trips = {leaf: self._demands.trip(robots[leaf].spot, action) for leaf, action in actions}
         start = board.time[2 * activity]

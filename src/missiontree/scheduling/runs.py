@@ -7,10 +7,12 @@ from missiontree.mission.control import Control, Progress
 from missiontree.mission.reason import Reason
 from missiontree.mission.ticks import seconds
 from missiontree.scheduling.availability import away
+from missiontree.scheduling.course import Course, tours_of
 from missiontree.scheduling.deadlines import Late, deadlines_missed
 from missiontree.scheduling.meeting import apart
 from missiontree.scheduling.mission_terms import terms_broken
 from missiontree.scheduling.problem import Draft, Problem, Rule
+from missiontree.scheduling.replay import replay
 from missiontree.scheduling.rules import rules
 from missiontree.scheduling.serial import Run
 from missiontree.scheduling.writing import TIME_IS_UP
@@ -93,6 +95,16 @@ class Runs:
             before = self.best
             self._run(rule)
             vain = vain + 1 if self.best is before else 0
+
+    def refill_for_tours(self) -> None:
+        """Where robots refill: play the best through again, now that it is known what each of them will do."""
+        if self.best is None or not self.problem.chargers or self._control.ended():
+            return
+        tours = tours_of(self.best, self.problem.graph)
+        played = replay(self.problem, Course({role: robot for robot, roles in tours.items() for role in roles}, tours))
+        if played is not None and played.value < self.best.value:
+            self.best = played
+            self.tell()
 
     def _run(self, rule: Rule) -> None:
         run, problem = Run(self.problem, rule), self.problem

@@ -81,7 +81,8 @@ def test_no_rule_is_broken_and_nothing_below_the_least_is_found(monkeypatch: pyt
         if found is None:
             continue
         case, problem, draft = found
-        best = search.regrouped(problem, draft, seed, 15, lambda: False, lambda one: None)
+        how = search.Regrouping(seed, 15, patient=seed % 2 == 0)
+        best = search.regrouped(problem, draft, how, lambda: False, lambda one: None)
         assert best.makespan <= draft.makespan
         if best.makespan < draft.makespan:
             better += 1

@@ -77,6 +77,7 @@ def schedule_within(
         if runs.best is None and proof is not None:
             return no_schedule(alternative, proof, runs.failures)
     runs.go(GREEDY_RUNS if small else MAX_RUNS)
+    runs.refill_for_tours()
     if runs.shortest:
         assert runs.best is not None
         return found_schedule(problem, alternative, runs.best)

@@ -21,14 +21,14 @@ from missiontree.scheduling.cpsat.unsupported import TimeIsUpError, UnsupportedE
 from missiontree.scheduling.cpsat.verify import broken
 from missiontree.scheduling.enumeration.proving import proof_of, tried_out
 from missiontree.scheduling.horizon import horizon_of
-from missiontree.scheduling.neighbourhood.search import regrouped
+from missiontree.scheduling.neighbourhood.search import Regrouping, regrouped
 from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.replay import replay
 from missiontree.scheduling.writing import by_bound, found_schedule, no_schedule, unknown_schedule
 
 WRITING = 0.3  # what it takes to verify, replay and write an answer, in units of what it took to build the model
 MANY_ROLES = 25  # from which on solving the model as a whole seldom helps
-FEW_ROUNDS = 200  # of regrouping in smaller missions
+FEW_ROUNDS, MANY_ROUNDS = 200, 3000  # of regrouping in smaller missions, and where robots refill and time is no matter
 REGROUPING = 0.6  # of the time left, at most
 SHARE = 0.85  # of the time left, for the makespan; half of the rest for its proof
 
@@ -95,6 +95,9 @@ class Improving:
             return
         roles, given = len(self._problem.graph.roles), self._settings.regrouping
         rounds = FEW_ROUNDS if roles < MANY_ROLES else None
+        patient = bool(self._problem.chargers) and given is None
+        if patient:  # nothing else improves what refills
+            rounds = MANY_ROUNDS
         if given is not None:
             rounds = min(FEW_ROUNDS, given // max(1, roles))
         turn = self._control.clock() + REGROUPING * self._left_s()
@@ -102,7 +105,8 @@ class Improving:
         def over() -> bool:
             return self._control.clock() >= turn or self._over()
 
-        self._best = regrouped(self._problem, self._best, self._control.seed, rounds, over, self._shorter)
+        search = Regrouping(self._control.seed, rounds, patient)
+        self._best = regrouped(self._problem, self._best, search, over, self._shorter)
 
     def _shorter(self, draft: Draft) -> None:
         self._tell(self._bound, draft.makespan)

@@ -6,17 +6,19 @@ is shortest ("ruin and recreate": Schrimpf, Schneider, Stamm-Wilbrandt and Dueck
 Where a role may go, and how long the path through it would be, is told by longest paths before and after. What is not much worse than what
 was held some steps ago is held (late acceptance: Burke and Bykov, European Journal of Operational Research 258, 2017). Budgets, shared
 resources and deadlines are left out of that; whatever looks better than the best is played through with all rules, and counts only then.
+Where robots refill, which takes longer or shorter with every order, whatever is tried may be played through, and held for what comes of it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from random import Random
 
-from missiontree.scheduling.course import Course
+from missiontree.scheduling.course import Course, tours_of
 from missiontree.scheduling.neighbourhood.network import FAR, Network, Paths
 from missiontree.scheduling.neighbourhood.stops import Stops, stops_of
-from missiontree.scheduling.problem import Draft, Problem
+from missiontree.scheduling.problem import FILLINGS, Draft, Filling, Problem
 from missiontree.scheduling.replay import replay
 
 FEWEST_ROLES = 6
@@ -32,13 +34,29 @@ REFUSED = 30
 Tours = dict[str, list[int]]
 
 
+@dataclass(frozen=True)
+class Regrouping:
+    """
+    How it is searched.
+
+    Parameters
+    ----------
+    seed
+        Of what is taken out.
+    rounds
+        How often something is taken out; None (default): until it is ended.
+    patient
+        Whether whatever is tried is played through, where robots refill, and held for what comes of it. It takes long, and finds much more.
+        Default: only what looks better than the best is.
+    """
+
+    seed: int = 0
+    rounds: int | None = None
+    patient: bool = False
+
+
 def regrouped(
-    problem: Problem,
-    draft: Draft,
-    seed: int,
-    rounds: int | None,
-    ended: Callable[[], bool],
-    told: Callable[[Draft], None],
+    problem: Problem, draft: Draft, how: Regrouping, ended: Callable[[], bool], told: Callable[[Draft], None]
 ) -> Draft:
     """
     The best draft that is found; the one handed in if none is better.
@@ -47,10 +65,8 @@ def regrouped(
     ----------
     problem, draft
         The mission and a schedule of it.
-    seed
-        Of what is taken out.
-    rounds
-        How often something is taken out; None: until it is ended.
+    how
+        How it is searched.
     ended
         Whether to stop.
     told
@@ -59,19 +75,21 @@ def regrouped(
     stops = stops_of(problem)
     if stops is None or len(stops.of) < FEWEST_ROLES:
         return draft
-    return _Search(problem, draft, stops, seed, told).best(rounds, ended)
+    return _Search(problem, draft, stops, how, told).best(how.rounds, ended)
 
 
 class _Search:
-    def __init__(self, problem: Problem, draft: Draft, stops: Stops, seed: int, told: Callable[[Draft], None]) -> None:
+    def __init__(
+        self, problem: Problem, draft: Draft, stops: Stops, how: Regrouping, told: Callable[[Draft], None]
+    ) -> None:
         self._problem, self._draft, self._stops, self._told = problem, draft, stops, told
         self._network = Network(problem, stops)
-        self._luck = Random(seed)  # noqa: S311 - luck for a search, not for secrets
+        self._luck = Random(how.seed)  # noqa: S311 - luck for a search, not for secrets
         staffing = problem.staffing
         self._group = staffing.group_of
         self._loose = [role for role in stops.of if len(staffing.members[self._group[role]]) == 1]
         self._robots = {kind.id: [robot.id for robot in kind.members] for kind in problem.fleet.types}
-        self._refused = 0
+        self._refused, self._patient = 0, how.patient and bool(problem.chargers)
 
     def best(self, rounds: int | None, ended: Callable[[], bool]) -> Draft:
         """Search."""
@@ -79,7 +97,7 @@ class _Search:
         paths = self._network.measured(tours)
         if paths is None or not self._loose:
             return self._draft
-        cost = self._cost(paths)
+        cost = self._cost(paths, self._draft if self._patient else None)
         memory, done, mark = [cost] * MEMORY, 0, paths.makespan
         while (rounds is None or done < rounds) and not ended() and self._refused < REFUSED:
             if self._draft.makespan == self._problem.bounds.makespan:
@@ -89,37 +107,43 @@ class _Search:
             measured = self._network.measured(trial) if trial is not None else None
             if trial is None or measured is None:
                 continue
-            found = self._cost(measured)
-            if (
+            played = None
+            if self._patient:
+                hopeless = self._cost(measured, None) > max(cost, memory[done % MEMORY])  # refilling comes on top
+                played = None if hopeless else self._played(trial, ("rest",))
+                if played is None:
+                    continue
+                self._keep(played)
+            elif (
                 measured.makespan < mark
             ):  # what paths do not know of, such as ways home, is as long for both, as far as one can tell
-                if not self._take(trial):
+                if not self._keep(self._played(trial, FILLINGS)):
                     continue
                 mark = measured.makespan
+            found = self._cost(measured, played)
             if found <= cost or found <= memory[done % MEMORY]:
                 tours, paths, cost = trial, measured, found
             memory[done % MEMORY] = min(cost, memory[done % MEMORY])
         return self._draft
 
     def _tours(self) -> Tours:
-        start = {one.leaf: (one.start, one.end) for one in self._draft.done}
-        leaves = self._problem.graph.roles
-        tours: Tours = {robot: [] for robots in self._robots.values() for robot in robots}
-        for role in sorted(leaves, key=lambda role: (start[leaves[role][0]][0], start[leaves[role][-1]][1], role)):
-            tours[self._draft.robot_of[role]].append(role)
-        return tours
+        everybody: Tours = {robot: [] for robots in self._robots.values() for robot in robots}
+        return everybody | tours_of(self._draft, self._problem.graph)
 
-    def _cost(self, paths: Paths) -> float:
-        """The makespan, and a little of when roles end, so that robots who are done sooner count."""
+    def _cost(self, paths: Paths, played: Draft | None) -> float:
+        """The makespan, as it was played if it was, and a little of when roles end, so that robots who are done sooner count."""
         ends = [paths.head[2 * stop.last + 1] for stop in self._stops.of.values()]
-        return paths.makespan + 0.05 * sum(ends) / len(ends)
+        return (paths.makespan if played is None else played.makespan) + 0.05 * sum(ends) / len(ends)
 
-    def _take(self, tours: Tours) -> bool:
-        """Play it through with all rules; whether it is better in truth."""
+    def _played(self, tours: Tours, refills: Sequence[Filling]) -> Draft | None:
+        """Tours, played through with all rules; None if that cannot be."""
         robots = {role: robot for robot, roles in tours.items() for role in roles}
-        draft = replay(self._problem, Course(robots, tours))
+        return replay(self._problem, Course(robots, tours), refills)
+
+    def _keep(self, draft: Draft | None) -> bool:
+        """Keep what was played if it is better in truth; whether it is."""
         if draft is None or draft.makespan >= self._draft.makespan:
-            self._refused += 1
+            self._refused += not self._patient
             return False
         self._refused, self._draft = 0, draft
         self._told(draft)
