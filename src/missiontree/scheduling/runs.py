@@ -11,6 +11,7 @@ from missiontree.scheduling.course import Course, tours_of
 from missiontree.scheduling.deadlines import Late, deadlines_missed
 from missiontree.scheduling.meeting import apart
 from missiontree.scheduling.mission_terms import terms_broken
+from missiontree.scheduling.neighbourhood.stops import stops_of
 from missiontree.scheduling.problem import Draft, Problem, Rule
 from missiontree.scheduling.replay import replay
 from missiontree.scheduling.rules import rules
@@ -97,8 +98,8 @@ class Runs:
             vain = vain + 1 if self.best is before else 0
 
     def refill_for_tours(self) -> None:
-        """Where robots refill: play the best through again, now that it is known what each of them will do."""
-        if self.best is None or not self.problem.chargers or self._control.ended():
+        """Where robots refill, and tours say all: play the best through again, now that it is known what each of them will do."""
+        if self.best is None or not self.problem.chargers or self._control.ended() or stops_of(self.problem) is None:
             return
         tours = tours_of(self.best, self.problem.graph)
         played = replay(self.problem, Course({role: robot for robot, roles in tours.items() for role in roles}, tours))
