@@ -107,6 +107,7 @@ class Oracle:
         self.disturbed = False  # something comes between a giver and a taker: whether that can be is not decided here
         self._read_links()
         self.disturbed |= any(self._comes_between(giver, taker) for giver, taker in self.taker.items())
+        self.disturbed |= self._may_exchange()
         if self.taker:  # at the moment of a hand-over, orders do not tell who of several has what is shared
             actions = self.actions.values()
             self.disturbed |= any(one.holds and (one.moves or not one.duration_s) for one in actions)
@@ -169,6 +170,12 @@ class Oracle:
             and self._reached([leaf], after) & {*self.units[taker]}
             for leaf in follow
         )
+
+    def _may_exchange(self) -> bool:
+        """Whether two robots may hand over to each other at one moment, of which no order tells."""
+        types = [{self.actions[leaf].robot_type for leaf in unit} for unit in self.units]
+        pairs = combinations(self.taker.items(), 2)
+        return any(types[one[1]] & types[two[0]] and types[two[1]] & types[one[0]] for one, two in pairs)
 
     def _after(self) -> dict[int, set[int]]:
         """What comes right after each action, in its role and by order."""

@@ -77,9 +77,23 @@ def test_what_can_be_read_as_flexible_is() -> None:
     assert [tree.duration[leaf] for leaf, kind in enumerate(tree.kind) if kind == LEAF] == [5, 6]
 
 
-def test_a_machine_that_is_missing_from_a_classic_line_makes_it_no_classic_one() -> None:
-    with pytest.raises(InputError, match="job 1 has no operation"):
-        shop_of("2 3\n0 3 1 4 1 5\n2 1 0 2 1 6\n")
+@pytest.mark.parametrize(
+    ("text", "line", "said"),
+    [
+        ("2 3\n0 3 1 4 1 5\n2 1 0 2 1 6\n", 2, "machine 1 is named twice in the line of job 1"),
+        ("2 3\n0 3 1 4 2 5\n2 1 0 2 3 6\n", 3, "machine 3, and there are 3 in the line of job 2"),
+        ("2 3\n0 3 1 4 2 5\n2 1 0 2 1\n", 3, "5 numbers for 3 machines in the line of job 2"),
+        ("2 3\n0 3 1 4 2 5\n2 1 0 x 1 6\n", 3, "'x' is not a whole number in the line of job 2"),
+        ("2 3\n0 3 1 4 2 5\n2 1 0 2000000000 1 6\n", 3, "time 2000000000 for operation 2 of job 2"),
+        ("2 3\n0 3 1 4 2 5\n", 2, "the file ends after 1 of 2 jobs"),
+        ("1 1\n1 1 0 99999999999999999999\n", 2, "'99999999999999999999' is too large"),
+    ],
+)
+def test_what_is_wrong_with_a_classic_line_is_said(text: str, line: int, said: str) -> None:
+    with pytest.raises(InputError) as caught:
+        shop_of(text, "shop.txt")
+    assert said in caught.value.message
+    assert caught.value.line == line
 
 
 @pytest.mark.parametrize(

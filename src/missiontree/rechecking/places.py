@@ -37,7 +37,8 @@ def _place_of(facts: Facts, leaf: int, asked: frozenset[int]) -> Position | None
     brought = facts.bringing.get(entity or "", ())
     moves = [move for move in brought if move not in asked and facts.end_ms[move] <= when_ms]
     if moves:
-        return _place_of(facts, max(moves, key=lambda move: (facts.end_ms[move], move)), asked)
+        last = max(moves, key=lambda move: (facts.end_ms[move], facts.start_ms[move], move))
+        return _place_of(facts, last, asked)
     return _first_of(facts, entity)
 
 

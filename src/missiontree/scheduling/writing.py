@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from missiontree.mission.alternative import Alternative, Assignment
 from missiontree.mission.certificate import Certificate
@@ -32,7 +33,8 @@ def no_schedule(alternative: Alternative, proof: Certificate, failures: Sequence
         message="No choice of robots and no order keep all rules of this alternative.",
         hint="Loosen a link, a budget or a limit, or give the fleet another robot.",
     )
-    return impossible_schedule(alternative, proof.method, (reason, *failures[:7]))
+    tries = (replace(failure, hint="") for failure in failures[:7])  # which say what might help, if it were not proven
+    return impossible_schedule(alternative, proof.method, (reason, *tries))
 
 
 def unknown_schedule(

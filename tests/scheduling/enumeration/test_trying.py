@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from missiontree.mission.fleet import Fleet, RobotType
+from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.scene import Scene
 from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.scheduling.enumeration.approaches import Approaches
@@ -176,3 +176,33 @@ def test_a_course_that_takes_longer_than_it_seemed_proves_nothing(monkeypatch: p
     best, proof = tried_out(problem, None, lambda: 20_000, 1_000, lambda: False)
     assert best is not None
     assert (best.makespan, proof) == (13_000, None)
+
+
+def test_robots_that_may_exchange_what_they_bring_leave_it_unproven() -> None:
+    """
+    Two robots bring something to m, 30 s of way from each, and each could take what the other holds out, both at 31 s: done at 32 s.
+
+    No order of events has that, so it is not tried, and what is found is no proof. If the second waits for the first to be taken, or
+    those who take cannot give, there is no exchange.
+    """
+
+    def proven(links: list[tuple[str, str]], taker: str = "r") -> bool:
+        parts = [
+            Part("give1", "r", [work(1, at="m")]),
+            Part("take1", taker, [work(1, at="m")]),
+            Part("give2", "r", [work(1, at="m")]),
+            Part("take2", taker, [work(1, at="m")]),
+        ]
+        overs = [("give1", "take1", "hand_over"), ("give2", "take2", "hand_over")]
+        two = (Robot(id="w", position=at(0)), Robot(id="e", position=at(60)))
+        types = [robots("r", speed=1, robots=two)]
+        if taker != "r":
+            types.append(robots(taker, 2, speed=1, position=at(30)))
+        problem = problem_of(mission(parts, [*overs, *links]), *types, world=scene(m=30))
+        found = tried(problem, 200_000, 200_000)
+        assert found.course is not None
+        return found.complete
+
+    assert not proven([])
+    assert proven([("take1", "give2")])
+    assert proven([], taker="s")

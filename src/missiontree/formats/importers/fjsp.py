@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from missiontree.errors import InputError
-from missiontree.formats.importers.classic_shop import as_flexible, is_classic
+from missiontree.formats.importers.classic_shop import as_flexible, fault_of, is_classic
 from missiontree.formats.place import quoted
 from missiontree.formats.source import clean, load_text
 from missiontree.mission.columns import AND, LEAF, XOR, TreeColumns
@@ -26,6 +26,7 @@ MOST = 10**9
 MOST_WAYS = 1_000_000
 """Of pairs of a machine and a time in one file."""
 FORM = "the number of operations, then for each: how many machines are able, and a machine and a time for each of them"
+CLASSIC_FORM = "machine and time in turn, every machine once, numbered from 0 or from 1"
 _NUMBER = re.compile(r"\d{1,18}").fullmatch
 _DECIMAL = re.compile(r"\d{1,18}(\.\d*)?").fullmatch
 _HEAD = re.compile(r"(\s*#[^\n]*\n)*\s*\d+[ \t]+\d+([ \t]+\d+(\.\d*)?)?[ \t]*(\r?\n|$)").match
@@ -73,6 +74,8 @@ def shop_of(text: str, source: str = "<text>") -> TreeColumns:
                 f"a line follows the last of {jobs} jobs", file=source, line=line, accepted="no more lines than jobs"
             )
         found += 1
+        if classic and (fault := fault_of(words, machines)):
+            raise reading.refusal(line, f"{fault} in the line of job {found}", CLASSIC_FORM)
         reading.job(found, as_flexible(words) if classic else words, line)
     if found < jobs:
         message = f"the file ends after {found} of {jobs} jobs"
@@ -144,7 +147,8 @@ class _Reading:
     def _numbers(self, words: list[str], line: int) -> list[int]:
         wrong = next((word for word in words if not _NUMBER(word)), None)
         if wrong is not None:
-            raise self.refusal(line, f"{quoted(wrong)} is not a whole number", "whole numbers of at least 0")
+            what = "is too large" if wrong.isdecimal() else "is not a whole number"
+            raise self.refusal(line, f"{quoted(wrong)} {what}", "whole numbers of at least 0")
         return list(map(int, words))
 
     def _ways(self, operation: int, rest: Iterator[int], line: int, what: str) -> None:

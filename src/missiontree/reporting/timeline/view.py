@@ -79,7 +79,7 @@ def timeline_rows(schedule: Schedule, plan: Plan) -> Iterator[Row]:
             text += f" ({_way(leg)})" if leg.distance_m or leg.end_s > leg.start_s else " (already there)"
         yield Row(action.robot, action.start_s, action.end_s, text, action.leaf in moves, action.leaf)
     for leg in schedule.legs:
-        if leg.leaf not in moves and leg.distance_m > 0:
+        if leg.leaf not in moves and (leg.distance_m > 0 or leg.end_s > leg.start_s):
             yield Row(leg.robot, leg.start_s, leg.end_s, f"travel {_way(leg)}", moving=True, leaf=leg.leaf, travel=True)
     for visits in visits_of(plan, schedule).values():
         for visit in visits:

@@ -10,6 +10,8 @@ only before the starts of all that is put down later. What takes no time is an e
 Nor does it lose anything to put down in one order what starts at once and has nothing to do with each other: of all orders in which the
 best schedule can be put down, take the one whose numbers of activities come first.
 
+Where robots may hand over to each other in a circle, at one moment, not everything is tried, and nothing is proven.
+
 What robots can refill is taken to last for ever: what is found may have to be made longer by visits to chargers, and what is not found
 is not there. Where robots may refill while they wait, nothing is tried.
 """
@@ -18,6 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from graphlib import CycleError, TopologicalSorter
 from itertools import product
 
 from missiontree.scheduling.bounds import NEVER
@@ -129,7 +132,37 @@ class Trying:
                 self._go_on(self._putting.begin())
         except _EnoughError:
             return Tried(False, self._best, self._steps, self._makespan)
-        return Tried(True, self._best, self._steps, self._makespan)
+        return Tried(not self._may_exchange(), self._best, self._steps, self._makespan)
+
+    def _may_exchange(self) -> bool:
+        """
+        Whether robots may hand over to each other in a circle, all at one moment: that is never tried, as each would have to be first.
+
+        So it may be if, for each hand-over of a circle, the robot that takes over may be the giver of the next.
+        """
+
+        def types(activity: int) -> set[str]:
+            return {action.robot_type for _, action in self._actions[activity]}
+
+        def roles(activity: int) -> set[int]:
+            return {action.role for _, action in self._actions[activity]}
+
+        following = {
+            giver: {
+                other
+                for other in self._takers
+                if types(taker) & types(other)
+                and not roles(taker) & roles(other)
+                and taker not in self._relations.earlier[other]
+                and other != giver
+            }
+            for giver, taker in self._takers.items()
+        }
+        try:
+            TopologicalSorter(following).prepare()
+        except CycleError:
+            return True
+        return False
 
     def _out_of_turn(self) -> bool:
         """
