@@ -122,6 +122,8 @@ class Flat:
         Types that must fill a role each, with what the operator named: the type, robots of it, or both. Default none.
     timing
         What is known of time, if there is a deadline. Default: there is none.
+    hand_overs
+        Those pairs of ``different_robot`` that are hand-overs, for whose sake robots differ. Default: none is.
     """
 
     kind: tuple[NodeKind, ...]
@@ -139,6 +141,7 @@ class Flat:
     shared: Mapping[str, Shared] = field(default_factory=dict)
     required: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     timing: Timing | None = None
+    hand_overs: frozenset[tuple[int, int]] = frozenset()
 
     def charges(self, leaf: int) -> Iterator[tuple[Purse, int]]:
         """What a leaf takes from its type's purses and from the mission's."""
@@ -230,6 +233,7 @@ def flatten(tree: GroundedTree | Flat, fleet: Fleet, weights: Weights, terms: Te
         shared=shared,
         required=terms.required_by_type(fleet),
         timing=timing_of(tree),
+        hand_overs=frozenset((link.first, link.second) for link in tree.links if link.kind == "hand_over"),
     )
 
 

@@ -28,7 +28,8 @@ def phrase(flat: Flat, limit: Limit) -> str:
         case "same_robot":
             return f"one robot for {_ends(flat, limit)}"
         case "different_robot":
-            return f"different robots for {_ends(flat, limit)}"
+            why = ", for a hand-over" if limit.nodes in flat.hand_overs else ""
+            return f"different robots for {_ends(flat, limit)}{why}"
         case "team":
             return f'different robots for the joint roles of "{_task_of_team(flat, limit.team)}"'
 
@@ -50,7 +51,8 @@ def remedy(flat: Flat, limit: Limit) -> str:
         case "left_out":
             return f"take {limit.name} off 'without'"
         case "same_robot" | "different_robot":
-            return f"drop the {limit.kind} link between {_ends(flat, limit)}"
+            link = "hand-over" if limit.nodes in flat.hand_overs else f"{limit.kind} link"
+            return f"drop the {link} between {_ends(flat, limit)}"
         case "team":
             return f'have "{_task_of_team(flat, limit.team)}" done with fewer robots at once'
 

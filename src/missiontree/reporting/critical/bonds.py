@@ -128,11 +128,11 @@ class Bonds:
         late = event.kind != "end" and any(
             self._comes_at(mate) == self.time(event) > 0 for mate in self.joint(event.leaf)
         )
-        if event.kind != "end" and self._refilled_since(event) is not None and not any(self._free(event)):
+        if event.kind != "end" and self.refilled_since(event) is not None and not any(self._free(event)):
             return "refill"
         return "available" if late else None
 
-    def _refilled_since(self, event: Event) -> int | None:
+    def refilled_since(self, event: Event) -> int | None:
         """From when on a robot was on its way to a charger that it leaves at an event; None if it leaves none then."""
         stretches = self._refills.get(self.at[event.leaf].robot, ())
         return next((since for since, until in stretches if until == self.time(event)), None)
@@ -215,7 +215,7 @@ class Bonds:
         done, now = self._robots[self.at[event.leaf].robot], self.time(event)
         place = bisect_right(done, (now, now, len(self.tree.nodes)))
         latest: int | None = None
-        since = self._refilled_since(event)
+        since = self.refilled_since(event)
         for end, _, leaf in reversed(done[:place]):
             if leaf == event.leaf:
                 continue

@@ -160,7 +160,11 @@ class _Walk:
         bonds, time = self._bonds, self._bonds.time(event)
         if (known := bonds.held_back(event)) is not None:
             self._bind(known)
-            self._put("wait", event.leaf, 0, time)
+            since = bonds.refilled_since(event) if known == "refill" else None
+            if since is not None:
+                self._put("refill", event.leaf, since, time)
+            if since != 0:
+                self._put("wait", event.leaf, 0, time if since is None else since)
             return None
         past = [cause for cause in bonds.causes(event) if bonds.time(cause.event) + cause.lag < time]
         cause = max(past, key=lambda cause: bonds.time(cause.event) + cause.lag, default=None)
