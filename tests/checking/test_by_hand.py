@@ -308,6 +308,25 @@ def test_joint_actions_begin_before_either_has_moved_anything() -> None:
     assert "leg_origin_wrong" in rules(plan_of(tree, late, *by_start(*beside), scene=scene))
 
 
+def test_what_a_robot_moves_in_no_time_is_where_it_took_it_when_it_goes_on() -> None:
+    """
+    At 0 s r-1, who is where the box is to be, brings it there in no time, and is at it from then on: it is held in one role at a time.
+
+    So it sets out for the far corner from there, sqrt(500) m at 2 m/s.
+    """
+    tree = grounded(
+        and_(
+            leaf("bring", role="x", at="here", moves=True, brings=("box",), duration_s=0),
+            leaf("watch", role="y", at="box", duration_s=3),
+            leaf("rest", role="z", at="far", duration_s=1),
+        )
+    )
+    scene = replace(SCENE, places=(*SCENE.places, Entity(id="here", kind="place", position=HERE)))
+    actions = times((1, "r-1", 0, 0), (2, "r-1", 0, 3), (3, "r-1", 14.181, 15.181))
+    legs = (leg(1, 0, 0, HERE, HERE, 0), leg(3, 3, 14.181, HERE, FAR, 22.361))
+    assert rules(plan_of(tree, actions, *by_start(*legs), scene=scene)) == []
+
+
 def test_the_leg_of_a_move_has_the_time_of_the_move() -> None:
     early = replace(WITH_BOX, start_s=5.5)
     assert only(plan_of(BRING, BROUGHT, *by_start(TO_BOX, early, TO_FAR), scene=SCENE)).rule == "leg_at_wrong_time"

@@ -42,6 +42,8 @@ class Movements:
         self._timetable = timetable
         self._moves: dict[str, list[Deed]] = {}
         self._spots: dict[tuple[str, int], tuple[Spot, ...]] = {}
+        turns = timetable.by_robot.values()
+        self._turn = {deed.leaf: turn for deeds in turns for turn, deed in enumerate(deeds)}
         for deed in sorted(timetable.deeds.values(), key=lambda deed: (deed.end, deed.start, deed.leaf)):
             for entity in deed.action.brings if deed.action.moves else ():
                 self._moves.setdefault(entity, []).append(deed)
@@ -68,6 +70,7 @@ class Movements:
                 continue
             there = self._spots_at(move.action.at, move, visiting) if move.action.at is not None else (None,)
             certain = move.start < deed.start or self._timetable.surely_before(move.leaf, deed.leaf)
+            certain = certain or (move.robot == deed.robot and self._turn[move.leaf] < self._turn[deed.leaf])
             found = there if certain else tuple(dict.fromkeys(found + there))
         self._spots[key] = found
         return found
