@@ -29,6 +29,7 @@ from missiontree.scheduling.writing import by_bound, found_schedule, no_schedule
 WRITING = 0.3  # what it takes to verify, replay and write an answer, in units of what it took to build the model
 MANY_ROLES = 25  # from which on solving the model as a whole seldom helps
 FEW_ROUNDS, MANY_ROUNDS = 200, 3000  # of regrouping in smaller missions, and where robots refill and time is no matter
+FEW_ROLES, ROUNDS_EACH = 6, 100  # of missions in which that is a matter of moments; rounds for each role
 REGROUPING = 0.6  # of the time left, at most
 SHARE = 0.85  # of the time left, for the makespan; half of the rest for its proof
 
@@ -95,11 +96,12 @@ class Improving:
             return
         roles, given = len(self._problem.graph.roles), self._settings.regrouping
         rounds = FEW_ROUNDS if roles < MANY_ROLES else None
-        patient = bool(self._problem.chargers) and given is None
-        if patient:  # nothing else improves what refills
-            rounds = MANY_ROUNDS
+        blind = bool(self._problem.chargers) or self._problem.sharing.on_ways  # so that nothing else improves it
+        patient = blind and (given is None or roles <= FEW_ROLES)
         if given is not None:
             rounds = min(FEW_ROUNDS, given // max(1, roles))
+        if patient:
+            rounds = min(MANY_ROUNDS, ROUNDS_EACH * roles)
         turn = self._control.clock() + REGROUPING * self._left_s()
 
         def over() -> bool:

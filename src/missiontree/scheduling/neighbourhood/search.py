@@ -6,7 +6,8 @@ is shortest ("ruin and recreate": Schrimpf, Schneider, Stamm-Wilbrandt and Dueck
 Where a role may go, and how long the path through it would be, is told by longest paths before and after. What is not much worse than what
 was held some steps ago is held (late acceptance: Burke and Bykov, European Journal of Operational Research 258, 2017). Budgets, shared
 resources and deadlines are left out of that; whatever looks better than the best is played through with all rules, and counts only then.
-Where robots refill, which takes longer or shorter with every order, whatever is tried may be played through, and held for what comes of it.
+Where robots refill, or wait for room on ways, which takes longer or shorter with every order, whatever is tried may be played through,
+and held for what comes of it.
 """
 
 from __future__ import annotations
@@ -21,13 +22,14 @@ from missiontree.scheduling.neighbourhood.stops import Stops, stops_of
 from missiontree.scheduling.problem import FILLINGS, Draft, Filling, Problem
 from missiontree.scheduling.replay import replay
 
-FEWEST_ROLES = 6
+FEWEST_ROLES, FEWEST_TO_PASS = 6, 2
+"""Of a mission that is searched; and of one where robots pass each other on ways that have no room for all, which no model knows."""
 MOST_OUT = 7
 """Roles taken out at once."""
 MEMORY = 40
 """Steps back that are compared with."""
-NOISE = 0.03
-"""By how much places are misjudged on purpose, as a share of the makespan."""
+NOISE, BLIND_NOISE = 0.03, 0.5
+"""By how much places are misjudged on purpose, as a share of the makespan; and half of the time where paths do not know all that counts."""
 REFUSED = 30
 """Better tours in a row that break another rule, after which the search ends."""
 
@@ -46,8 +48,8 @@ class Regrouping:
     rounds
         How often something is taken out; None (default): until it is ended.
     patient
-        Whether whatever is tried is played through, where robots refill, and held for what comes of it. It takes long, and finds much more.
-        Default: only what looks better than the best is.
+        Whether whatever is tried is played through, and held for what comes of it. Where robots refill, or wait for room on ways, it takes
+        long, and finds much more. Default: only what looks better than the best is.
     """
 
     seed: int = 0
@@ -73,7 +75,7 @@ def regrouped(
         Told of each better draft.
     """
     stops = stops_of(problem)
-    if stops is None or len(stops.of) < FEWEST_ROLES:
+    if stops is None or len(stops.of) < (FEWEST_TO_PASS if problem.sharing.on_ways else FEWEST_ROLES):
         return draft
     return _Search(problem, draft, stops, how, told).best(how.rounds, ended)
 
@@ -89,7 +91,7 @@ class _Search:
         self._group = staffing.group_of
         self._loose = [role for role in stops.of if len(staffing.members[self._group[role]]) == 1]
         self._robots = {kind.id: [robot.id for robot in kind.members] for kind in problem.fleet.types}
-        self._refused, self._patient = 0, how.patient and bool(problem.chargers)
+        self._refused, self._patient = 0, how.patient
 
     def best(self, rounds: int | None, ended: Callable[[], bool]) -> Draft:
         """Search."""
@@ -190,7 +192,8 @@ class _Search:
         ready, ends = head[2 * stop.first], head[2 * stop.last + 1]
         rest = tail[2 * stop.last + 1]
         best: tuple[float, str, int] | None = None
-        noise = NOISE * paths.makespan * self._luck.random()
+        share = BLIND_NOISE if self._patient and self._luck.random() < 0.5 else NOISE
+        noise = share * paths.makespan * self._luck.random()
         for robot in self._robots[self._problem.staffing.type_of[role]]:
             roles = tours[robot]
             if not self._may_join(role, roles):
