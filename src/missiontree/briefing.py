@@ -213,7 +213,7 @@ def request_from(
         refuse_huge(brief.fleet, brief.routines, brief.weights)
     except ValueError as error:
         terms = {"without": without, "require": require, "min_quality": min_quality}
-        misfits = [source.split(" ", 1)[1] for source in _sources(path, fleet_from, scene_from, (), ())]
+        misfits = [source.split(" ", 1)[1] for source in _sources(path, fleet_from, scene_from, library_files, ())]
         misfits += [name for name, given in terms.items() if given not in (None, (), [])]
         hint = f"{', '.join(misfits) or 'The inputs'}: these do not fit together; mend one of them."
         raise InputError(str(error), hint=hint) from error

@@ -9,10 +9,12 @@ from hypothesis import given, settings
 
 from benchmarks.schedule_cases import random_schedule_case
 from missiontree.mission.chain import Step
+from missiontree.mission.charger import Charger
 from missiontree.mission.control import Control
-from missiontree.mission.fleet import Fleet
+from missiontree.mission.fleet import Fleet, Robot
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.terms import Terms
 from missiontree.reporting.critical.chain import chain_of, critical_chain
 from missiontree.reporting.critical.spans import ms
 from missiontree.scheduling.greedy import greedy
@@ -328,3 +330,28 @@ def test_a_chain_adds_up_to_the_makespan_and_explains_all_of_it_under_every_rule
     assert ms(found.work_s) + ms(found.travel_s) + ms(found.waiting_s) == ms(schedule.makespan_s)
     assert all(before.end_s == after.start_s for before, after in pairwise(found.steps))
     assert "unexplained" not in {step.bond for step in found.steps}
+
+
+def test_a_visit_to_a_charger_before_all_else_is_on_the_chain() -> None:
+    """
+    With 10 of 100 J at the start, the robot needs 60 J for a job at 0 and is 5 m from the charger: there at 5 s with 5 J, 60 + 5 J less
+    those 5 are taken in, 60 J in 6 s, back at 16 s, done at 26 s. Nothing is waited for.
+    """
+    instance = mission([Part("A", "r", [work(10, at="p", uses={"energy_j": 60.0})])])
+    plug = Charger(id="plug", position=at(5), rate_per_s=10)
+    kind = robots(
+        "r",
+        speed=1.0,
+        robots=(Robot(id="x", position=at(0), remaining={"energy_j": 10.0}),),
+        limits={"energy_j": 100.0},
+        uses_per_m={"energy_j": 1.0},
+    )
+    world = replace(scene(p=0), chargers=(plug,))
+    terms = Terms(chargers=(plug,))
+    result = greedy(instance.tree, instance.alternative, Fleet((kind,)), world, Control(), terms)
+    steps = critical_chain(instance.tree, result, world, Fleet((kind,)))
+    assert [(step.kind, step.start_s, step.end_s, step.bond) for step in steps] == [
+        ("refill", 0.0, 11.0, "start"),
+        ("travel", 11.0, 16.0, "refill"),
+        ("action", 16.0, 26.0, "travel"),
+    ]

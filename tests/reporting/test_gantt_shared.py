@@ -16,7 +16,7 @@ from missiontree.reporting.gantt.waits import why_waited
 from missiontree.reporting.text import render
 from missiontree.reporting.timeline.view import timeline
 from tests.reporting.charts import planned
-from tests.scheduling.instances import Instance, Part, mission, robots, work
+from tests.scheduling.instances import Instance, Part, at, mission, robots, scene, work
 
 
 def made(*resources: SharedResource, first_s: float = 1) -> tuple[Instance, Plan]:
@@ -100,3 +100,25 @@ def test_the_terminal_shows_when_a_resource_is_held() -> None:
         line for line in render(timeline(wide.schedules[0], wide), 100).splitlines() if line.startswith("Fire Door")
     ]
     assert set(line.removeprefix("Fire Door")) == {" ", "2"}
+
+
+def test_a_robot_that_stands_there_already_waits_in_the_list() -> None:
+    """a-1 and b-1 stand at the bay, which has room for one: b-1 waits 4 s, and what it waits for is told; who is just idle is not."""
+    bay = Scene(entities=scene(bay=0).entities, resources=(SharedResource(id="door", label="Fire Door"),))
+    instance = mission(
+        [
+            Part("A", "a", [work(4, at="bay", holds=["door"])]),
+            Part("B", "b", [work(4, at="bay", holds=["door"])]),
+            Part("C", "c", [work(1, at="bay")]),
+        ],
+        [("A", "C")],
+    )
+    kinds = tuple(robots(name, speed=1.0, position=at(0)) for name in "abc")
+    plan = planned(instance, Fleet(kinds), bay)
+    plan = replace(plan, brief=replace(plan.brief, scene=bay))
+    rows = {row.robot: row for row in content_of(plan, plan.schedules[0]).rows}
+    assert [(wait.start_s, wait.end_s, wait.label) for wait in rows["b-1"].waits] == [
+        (0.0, 4.0, "for Fire Door, which a-1 holds: A.0")
+    ]
+    assert not rows["a-1"].waits
+    assert not rows["c-1"].waits

@@ -172,25 +172,33 @@ class _Robot:
             role, leg = self.tree.action(one.leaf).role, self.bonds.legs.get(one.leaf)
             held = before if role in begun else None
             if leg is None:
+                why = why_waited(self.bonds, one.leaf)
                 if held is not None:
-                    yield from _wait(one.robot, held.end_s, one.start_s, why_waited(self.bonds, one.leaf))
+                    yield from _wait(one.robot, held.end_s, one.start_s, why)
+                elif why and self._stands_by(one.leaf):
+                    yield from _wait(one.robot, self._free_by(one.start_s), one.start_s, why)
             else:
                 stayed = why_stayed(self.bonds, one.leaf)
                 if held is not None or stayed:
-                    yield from _wait(one.robot, self._free_before(leg), leg.start_s, stayed)
+                    yield from _wait(one.robot, self._free_by(leg.start_s), leg.start_s, stayed)
                 yield from _wait(one.robot, leg.end_s, one.start_s, why_waited(self.bonds, one.leaf))
             begun.add(role)
             before = one
         if self.home is not None and self.bonds.shares(self.home):
             yield from _wait(
-                self.home.robot, self._free_before(self.home), self.home.start_s, "for room on the way home"
+                self.home.robot, self._free_by(self.home.start_s), self.home.start_s, "for room on the way home"
             )
 
-    def _free_before(self, leg: TravelLeg | OwnLeg) -> float:
-        """When the robot was done with whatever it did before a way, or came."""
+    def _stands_by(self, leaf: int) -> bool:
+        """Whether a robot that need not travel for an action waits where it is done, for room or to take over."""
+        action = self.tree.action(leaf)
+        return action.at is not None and (bool(action.holds) or leaf in self.bonds.taker.values())
+
+    def _free_by(self, when_s: float) -> float:
+        """When the robot was done with whatever it did before a moment, or came."""
         ends = [one.end_s for one in self.done] + [visit.recharge.end_s for visit in self.visits]
         ends += [stretch.end_s for stretch in self.away]
-        return max((end for end in ends if ms(end) <= ms(leg.start_s)), default=0.0)
+        return max((end for end in ends if ms(end) <= ms(when_s)), default=0.0)
 
     def _roles(self) -> list[Stretch]:
         spans: dict[int, tuple[float, float]] = {}
