@@ -1870,8 +1870,13 @@ def return_hurried(plan: Plan) -> Iterator[Plan]:
 
 @breaks("own_leg_at_wrong_time")
 def return_before_the_end(plan: Plan) -> Iterator[Plan]:
-    for place, _, number, leg in returning(plan):
-        yield with_return(plan, place, number, start_s=round(leg.start_s - 0.5, 3), end_s=round(leg.end_s - 0.5, 3))
+    for place, schedule, number, leg in returning(plan):
+        ends = [one.end_s for one in schedule.actions if one.robot == leg.robot]
+        ends += [one.end_s for one in schedule.recharges if one.robot == leg.robot]
+        early_s = leg.start_s - max(ends) + 0.5  # it may wait for room on its way
+        yield with_return(
+            plan, place, number, start_s=round(leg.start_s - early_s, 3), end_s=round(leg.end_s - early_s, 3)
+        )
 
 
 @breaks("own_leg_via_broken")
