@@ -40,7 +40,7 @@ TRIES = 300
 """Moves per action without a new best after which it ends as well."""
 MOST_FOR_TABU = 20_000
 MOST_FOR_SOLVER = 12_000
-MOST_FOR_GLANCE = 300
+MOST_FOR_GLANCE = 120
 """Leaves above which these are not worth their while."""
 LEAST_S = 0.2
 """Of time left, to ask the solver."""
