@@ -34,6 +34,11 @@ class Course:
     under_way: Mapping[int, int] = field(default_factory=dict)
 
 
+def along(tours: Mapping[str, Sequence[int]]) -> Course:
+    """The course that tours alone decide: who waits for whom for other reasons is left to order and to the moment."""
+    return Course({role: robot for robot, roles in tours.items() for role in roles}, tours)
+
+
 def tours_of(draft: Draft, graph: TaskGraph) -> dict[str, list[int]]:
     """Roles of each robot of a draft that does any, in the order in which it does them."""
     spans = {one.leaf: (one.start, one.end) for one in draft.done}

@@ -7,7 +7,7 @@ from missiontree.mission.control import Control, Progress
 from missiontree.mission.reason import Reason
 from missiontree.mission.ticks import seconds
 from missiontree.scheduling.availability import away
-from missiontree.scheduling.course import Course, tours_of
+from missiontree.scheduling.course import along, tours_of
 from missiontree.scheduling.deadlines import Late, deadlines_missed
 from missiontree.scheduling.meeting import apart
 from missiontree.scheduling.mission_terms import terms_broken
@@ -101,8 +101,7 @@ class Runs:
         """Where robots refill, and tours say all: play the best through again, now that it is known what each of them will do."""
         if self.best is None or not self.problem.chargers or self._control.ended() or stops_of(self.problem) is None:
             return
-        tours = tours_of(self.best, self.problem.graph)
-        played = replay(self.problem, Course({role: robot for robot, roles in tours.items() for role in roles}, tours))
+        played = replay(self.problem, along(tours_of(self.best, self.problem.graph)))
         if played is not None and played.value < self.best.value:
             self.best = played
             self.tell()

@@ -6,6 +6,7 @@ A line per job: machine and time in turn, in the order of its operations, every 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 
 MOST_DIGITS = 18
@@ -26,9 +27,8 @@ def fault_of(row: Sequence[str], machines: int) -> str:
     if len(row) != 2 * machines:
         return f"{len(row)} numbers for {machines} machines"
     named = [int(word) for word in row[::2]]
-    twice = next((machine for place, machine in enumerate(named) if machine in named[:place]), None)
-    if twice is not None:
-        return f"machine {twice} is named twice"
+    if len(set(named)) < len(named):
+        return f"machine {Counter(named).most_common(1)[0][0]} is named twice"
     first = 0 if 0 in named else 1
     unknown = next((machine for machine in named if not first <= machine < first + machines), None)
     return "" if unknown is None else f"machine {unknown}, and there are {machines}"

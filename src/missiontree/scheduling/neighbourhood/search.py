@@ -16,7 +16,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from random import Random
 
-from missiontree.scheduling.course import Course, tours_of
+from missiontree.scheduling.course import along, tours_of
 from missiontree.scheduling.neighbourhood.network import FAR, Network, Paths
 from missiontree.scheduling.neighbourhood.stops import Stops, stops_of
 from missiontree.scheduling.problem import FILLINGS, Draft, Filling, Problem
@@ -111,7 +111,7 @@ class _Search:
                 continue
             played = None
             if self._patient:
-                hopeless = self._cost(measured, None) > max(cost, memory[done % MEMORY])  # refilling comes on top
+                hopeless = self._cost(measured, None) > max(cost, memory[done % MEMORY])  # waits come on top
                 played = None if hopeless else self._played(trial, ("rest",))
                 if played is None:
                     continue
@@ -139,8 +139,7 @@ class _Search:
 
     def _played(self, tours: Tours, refills: Sequence[Filling]) -> Draft | None:
         """Tours, played through with all rules; None if that cannot be."""
-        robots = {role: robot for robot, roles in tours.items() for role in roles}
-        return replay(self._problem, Course(robots, tours), refills)
+        return replay(self._problem, along(tours), refills)
 
     def _keep(self, draft: Draft | None) -> bool:
         """Keep what was played if it is better in truth; whether it is."""
