@@ -11,7 +11,7 @@ chargers the least makespan may be out of reach.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from graphlib import CycleError, TopologicalSorter
 from itertools import combinations, pairwise, permutations, product
@@ -20,7 +20,7 @@ from benchmarks.schedule_cases import ScheduleCase
 from missiontree.mission.shared_resource import SharedResource
 
 SLACK = 1e-6
-MOST_STEPS = 2_000
+MOST_STEPS = 1_000
 
 
 class TooMuchError(Exception):
@@ -59,6 +59,14 @@ class _World:
             dict(self.lasts),
         )
 
+    def known(self, leaves: Sequence[int], soonest: int) -> Hashable:
+        """All that matters to what may follow, none of which starts sooner than that: worlds that agree in it are one."""
+        times = *map(self.start.get, leaves), *map(self.end.get, leaves)
+        where = *self.spot.values(), *self.free.values(), *self.thing.values()  # their keys stand from the beginning
+        spent = (*sorted((what, round(amount, 6)) for what, amount in self.spent.items()),) if self.spent else ()
+        changed = (self.robot_of, self.since, self.needed, self.lasts)
+        return soonest, times, where, spent, *(frozenset(one.items()) for one in changed)
+
 
 class Oracle:
     """
@@ -74,6 +82,8 @@ class Oracle:
         self.case, self.tree, self.fleet = case, case.tree, case.fleet
         self.actions = {index: node.action for index, node in enumerate(case.tree.nodes) if node.action is not None}
         self.leaves = [*self.actions]
+        self.type_of = {leaf: action.robot_type for leaf, action in self.actions.items()}
+        self.robots_of = {kind.id: [robot.id for robot in kind.members] for kind in case.fleet.types}
         self.length = {leaf: _ms(action.duration_s) for leaf, action in self.actions.items()}
         self.roles: dict[int, list[int]] = {}
         for leaf in self.leaves:
@@ -94,12 +104,14 @@ class Oracle:
         self.team = {role: case.tree.roles[role].team for role in self.roles}
         self.few = [(kind, kind.max_in_use) for kind in case.fleet.types if kind.max_in_use is not None]
         self.refilled = {kind.id: case.terms.refilled(kind) for kind in case.fleet.types}
+        self.limits = {robot: self._limits_of(robot) for robot in case.fleet.robots}
         self.same: list[set[int]] = []
         self.different: list[tuple[set[int], set[int]]] = []
         self.found: int | None = None
         self.best: int | None = None  # what is found must be less: the least so far, or what was asked for
         self.widest = max(map(len, self.units), default=1)
         self.steps = 0
+        self.seen: set[Hashable] = set()  # worlds from which everything was tried, or is being tried
         self.taker: dict[int, int] = {}  # by unit that hands over: the unit that takes over
         self.follow: list[set[int]] = []  # by unit: what must come after it, whoever has what is shared
         self.over_first: dict[int, set[int]] = {}  # what must be over before each action, but for who hands over to it
@@ -262,6 +274,7 @@ class Oracle:
             latest: dict[int, list[int]] = {}
             for open_ended, one in zip(sorted(self.until), chosen, strict=True):
                 latest.setdefault(one, []).append(open_ended)
+            self.seen = set()
             self._go_on(self._begin(), latest, 0)
 
     def _rests(self, order: Sequence[int]) -> dict[int, int]:
@@ -338,13 +351,17 @@ class Oracle:
         # What begins soonest comes first: a good best rules out much.
         for start, first, after in sorted(found, key=lambda one: one[:2]):
             if not self._in_vain(after, first):
-                self._go_on(after, latest, 0 if self.until else start)
+                soonest = 0 if self.until else start
+                known = after.known(self.leaves, soonest)
+                if known not in self.seen:
+                    self.seen.add(known)
+                    self._go_on(after, latest, soonest)
 
     def _may_begin(self, world: _World, unit: list[int], latest: dict[int, list[int]]) -> bool:
         for leaf in unit:
             if not (self.over_first[leaf] <= world.end.keys()):
                 return False
-            if any(one not in world.start for one in latest.get(leaf, ())):
+            if leaf in latest and any(one not in world.start for one in latest[leaf]):
                 return False
         return not self.taker or self._may_come_between(world, unit)
 
@@ -455,28 +472,32 @@ class Oracle:
             for leaf in unit:
                 self._over(after, leaf, end)
         self._settle(after)
-        if any(leaf in after.end and after.end[leaf] > due for leaf, due in self.last_end.items()):
-            return None
+        ended = after.end
+        for leaf, due in self.last_end.items():
+            if leaf in ended and ended[leaf] > due:
+                return None
         return None if self._in_vain(after, unit[0]) else after
 
     def _too_late(self, world: _World, soonest: int) -> bool:
         """Whether what is left, none of which starts sooner than that, cannot all end in time, or sooner than the best."""
         left: dict[str, int] = {}
+        ended, best = world.end, self.best
         for leaf in self.leaves:
             if leaf not in world.start:
-                begins = max([soonest, self.release[leaf], *(world.end.get(one, 0) for one in self.before[leaf])])
-                ends = begins + self.lasts[leaf]
-                if ends > self.last_end.get(leaf, ends) or (
-                    self.best is not None and ends + self.rest[leaf] >= self.best
-                ):
+                ends = max(soonest, self.release[leaf])
+                for one in self.before[leaf]:
+                    if one in ended and ended[one] > ends:
+                        ends = ended[one]
+                ends += self.lasts[leaf]
+                if ends > self.last_end.get(leaf, ends) or (best is not None and ends + self.rest[leaf] >= best):
                     return True
-                type_id = self.actions[leaf].robot_type
+                type_id = self.type_of[leaf]
                 left[type_id] = left.get(type_id, 0) + self.lasts[leaf]
-        if self.best is None:
+        if best is None:
             return False
         for type_id, work in left.items():
-            members = self.fleet.by_id[type_id].members
-            if sum(max(0, self.best - 1 - max(soonest, world.free[robot.id])) for robot in members) < work:
+            last, free = best - 1, world.free
+            if sum(max(0, last - max(soonest, free[robot])) for robot in self.robots_of[type_id]) < work:
                 return True
         return False
 
@@ -491,20 +512,16 @@ class Oracle:
         self, world: _World, unit: list[int], robots: dict[int, str], latest: dict[int, list[int]]
     ) -> tuple[int, int, dict[int, tuple[int, float]]]:
         """Start and length in milliseconds, and the ways."""
-        actions = {leaf: self.actions[leaf] for leaf in unit}
         start, length = 0, 0
         ways: dict[int, tuple[int, float]] = {}
-        for leaf, action in actions.items():
+        for leaf in unit:
+            action = self.actions[leaf]
             robot = robots[action.role]
-            ways[leaf] = self._way(world, robot, leaf)
-            start = max(
-                [start, self.release[leaf], world.free[robot], *(world.end[one] for one in self.over_first[leaf])]
-            )
-            if action.moves:
-                length = max(length, ways[leaf][0])
-            else:
-                start = max(start, world.free[robot] + ways[leaf][0])
-                length = max(length, self.length[leaf])
+            ways[leaf] = way = self._way(world, robot, leaf)
+            start = max(start, self.release[leaf], world.free[robot] + (0 if action.moves else way[0]))
+            for one in self.over_first[leaf]:
+                start = max(start, world.end[one])
+            length = max(length, way[0] if action.moves else self.length[leaf])
             if action.at is not None:
                 start = max(start, world.since.get(action.at, 0))
             for name in action.brings:
@@ -593,22 +610,29 @@ class Oracle:
         return True
 
     def _spend(self, world: _World, robot: str, uses: Mapping[str, float], metres: float) -> bool:
-        kind = self.fleet.type_of[robot]
-        use, refilled = dict(uses), self.refilled[kind.id]
-        for name, amount in kind.uses_per_m.items():
-            use[name] = use.get(name, 0.0) + amount * metres
-        for name, amount in use.items():
+        per_m, limits = self.fleet.type_of[robot].uses_per_m, self.limits[robot]
+        for name, of_name in limits.items():
+            amount = uses.get(name, 0.0) + per_m.get(name, 0.0) * metres
+            for whose, limit in of_name if amount else ():
+                spent = world.spent[whose, name] = world.spent.get((whose, name), 0.0) + amount
+                if spent > limit + SLACK:
+                    return False
+        return True
+
+    def _limits_of(self, robot: str) -> dict[str, list[tuple[str, float]]]:
+        """What limits the use of something by a robot: by its name, whose limit and how much."""
+        kind, found = self.fleet.type_of[robot], dict[str, list[tuple[str, float]]]()
+        named = {*kind.uses_per_m}.union(*(action.uses for action in self.actions.values()))
+        for name in sorted(named):
             limits = (
-                (robot, None if name in refilled else kind.budget(self.fleet.robots[robot], name)),
+                (robot, None if name in self.refilled[kind.id] else kind.budget(self.fleet.robots[robot], name)),
                 (f"type {kind.id}", kind.total_limits.get(name)),
                 ("all", self.fleet.total_limits.get(name)),
                 ("stock", self.case.terms.stock.get(name)),
             )
-            for whose, limit in limits:
-                spent = world.spent[whose, name] = world.spent.get((whose, name), 0.0) + amount
-                if limit is not None and spent > limit + SLACK:
-                    return False
-        return True
+            if set_limits := [(whose, limit) for whose, limit in limits if limit is not None]:
+                found[name] = set_limits
+        return found
 
 
 def _ms(duration_s: float) -> int:

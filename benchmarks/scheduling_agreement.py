@@ -50,8 +50,8 @@ INPUTS = {
 }  # of a plan made for the checker alone, without a road to it
 FOUND = {"optimal", "feasible"}
 LONG_S = 60.0
-REFILLING_S = 3.0
-"""For missions with chargers, whose gaps seldom close: no gap of theirs counts, and the rest of half a minute would show nothing."""
+REFILLING_S = 1.0
+"""For missions with chargers, whose gaps seldom close: no gap of theirs counts, and the rest of half a minute would show little."""
 REFILLED = {"budget_bound", "deadline_bound"}
 """Proofs that may rest on what must be refilled, of which the oracle knows nothing."""
 MOST_STEPS = 200_000

@@ -7,7 +7,7 @@ import pytest
 from benchmarks.campaign import made
 from benchmarks.scheduling_agreement import CAMPAIGN
 
-SEED, SAMPLE, PARTS = 11, 400, 8
+SEED, SAMPLE, PARTS = 11, 1_000, 10
 
 
 @pytest.mark.parametrize("part", range(PARTS))
