@@ -2,13 +2,13 @@
 What every campaign shares: numbered runs, a state file to resume from, and a table of what was seen.
 
 A campaign is a function from a seed and a number to a :class:`Verdict`. Runs depend on nothing else, so it does not matter in how
-many processes or sittings they are made. The state belongs to one state of the code; with another, the figures would belong to none.
+many processes or sittings they are made. The state belongs to one state of the code that the campaign uses; with another, the figures
+would belong to none.
 """
 
 from __future__ import annotations
 
 import argparse
-import hashlib
 import json
 import os
 import time
@@ -17,12 +17,13 @@ from collections import Counter, deque
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import dataclass, field
+from inspect import getfile
 from multiprocessing import get_context
 from pathlib import Path
 from random import Random
 from typing import Any
 
-import missiontree
+from benchmarks.campaign_source import source_digest
 from benchmarks.machine import machine_line
 
 CHUNK = 100
@@ -199,16 +200,6 @@ def table(campaign: Campaign, state: State) -> str:
     return "\n".join(lines)
 
 
-def source_digest() -> str:
-    """What the figures belong to: a digest of the package and of these commands, the first 12 letters."""
-    found = hashlib.sha256()
-    for folder in (Path(missiontree.__file__).parent, Path(__file__).parent):
-        for path in sorted(folder.rglob("*")):
-            if path.suffix in {".py", ".yaml", ".txt"} and path.is_file():
-                found.update(path.relative_to(folder).as_posix().encode() + b"\0" + path.read_bytes())
-    return found.hexdigest()[:12]
-
-
 def _pieces(campaign: Campaign, seed: int, start: int, stop: int, jobs: int) -> Iterator[State]:
     """What is left to do, piece by piece, in order."""
     size = campaign.chunk
@@ -228,7 +219,7 @@ def _pieces(campaign: Campaign, seed: int, start: int, stop: int, jobs: int) -> 
 
 
 def _resumed(path: Path | None, campaign: Campaign, seed: int) -> State:
-    source = source_digest()
+    source = source_digest(Path(getfile(campaign.judge)))
     if path is None or not path.exists():
         return State(campaign.name, seed, source)
     kept: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))

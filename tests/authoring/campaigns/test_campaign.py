@@ -66,7 +66,7 @@ def test_a_state_of_other_code_is_refused(monkeypatch: pytest.MonkeyPatch, tmp_p
     """Figures of two states of the code would be figures of none."""
     state = tmp_path / "state.json"
     command(monkeypatch, TOSSES, "--count", "1", "--state", state)
-    monkeypatch.setattr("benchmarks.campaign.source_digest", lambda: "another")
+    monkeypatch.setattr("benchmarks.campaign.source_digest", lambda _: "another")
     with pytest.raises(SystemExit, match="source another"):
         command(monkeypatch, TOSSES, "--count", "2", "--state", state)
 
