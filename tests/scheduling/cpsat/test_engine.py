@@ -21,6 +21,7 @@ from missiontree.scheduling.cpsat.engine import schedule_within
 from missiontree.scheduling.cpsat.formulation import Formulation
 from missiontree.scheduling.cpsat.search import search
 from missiontree.scheduling.cpsat.settings import Settings
+from missiontree.scheduling.cpsat.unsupported import UnsupportedError
 from missiontree.scheduling.greedy import read_problem
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.replay import replay
@@ -88,6 +89,20 @@ def test_the_same_is_proven_by_trying_everything() -> None:
     result = scheduled(made, kind, world=world)
     assert (result.makespan_s, result.status, result.certificate.method) == (12, "optimal", "enumeration")
     assert sum(leg.distance_m for leg in result.legs) == 17
+
+
+def test_what_the_model_cannot_say_is_tried_out_longer(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With nothing tried before the solver would be asked, and a model that says no: trying everything still comes to 12 s."""
+
+    def unsaid(*_: object) -> Formulation:
+        raise UnsupportedError("robots sing")
+
+    monkeypatch.setattr(improving, "Formulation", unsaid)
+    made, kind, world = five_stops()
+    given = (made.tree, made.alternative, Fleet((kind,)), world, Control(), NO_TERMS)
+    result = schedule_within(*given, Settings(longest_s=60, first_steps=0, regrouping=0))
+    assert (result.makespan_s, result.certificate.method) == (12, "enumeration")
+    assert "Constraint programming was not asked: robots sing" in result.certificate.detail
 
 
 def test_what_nothing_confirms_is_the_solver_s_word() -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.scene import Scene
+from missiontree.mission.shared_resource import SharedResource
 from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.scheduling.enumeration.approaches import Approaches
 from missiontree.scheduling.enumeration.proving import tried_out
@@ -206,3 +207,18 @@ def test_robots_that_may_exchange_what_they_bring_leave_it_unproven() -> None:
     assert not proven([])
     assert proven([("take1", "give2")])
     assert proven([], taker="s")
+
+
+def test_what_may_be_out_of_turn_is_tried_anyway_when_asked_and_proves_nothing() -> None:
+    """Two pass one door, 3 s and 2 s; a light lasts until the first is through. Both are through after 5 s: found, but not proven."""
+    parts = [
+        Part("first", "r", [work(3, holds=("door",))]),
+        Part("second", "r", [work(2, holds=("door",))]),
+        Part("light", "s", [work(0, open_ended=True)]),
+    ]
+    made = mission(parts, [("light", "first", "until")])
+    world = replace(scene(), resources=(SharedResource(id="door", capacity=1),))
+    problem = problem_of(made, robots("r", 2), robots("s"), world=world)
+    assert tried(problem, 20_000) == Tried(False, None, 0)
+    found = Trying(problem, 20_000, 1_000, lambda: False, anyway=True)()
+    assert (found.complete, makespan(problem, found)) == (False, 5_000)

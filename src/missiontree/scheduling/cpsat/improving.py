@@ -64,7 +64,8 @@ class Improving:
         self._begun = control.clock()
         self._bound = problem.bounds.makespan  # by whoever's word
         self._answers = 0
-        self._limit = ""  # what the model does not express
+        self._limit = ""  # why the model was not asked
+        self._unsupported = False  # whether it does not express all there is
         self._impossible = False
         self._kept_s = 0.0  # of the time, for making a schedule of the last answer
         self._shown: int | None = None  # the makespan that was told of last
@@ -78,6 +79,8 @@ class Improving:
             self._regroup()
         formulation = None if self._met() else self._formulation()
         if formulation is None:
+            if self._unsupported and proof is None and not self._closed():
+                proof = self._tried(self._settings.last_steps, anyway=True)  # nobody else would look any further
             return self._written(proof)
         if proof is None and self._least_makespan(formulation):
             proof = self._confirmed() or self._tried(self._settings.last_steps)
@@ -138,7 +141,7 @@ class Improving:
         except TimeIsUpError:
             return None
         except UnsupportedError as error:
-            self._limit = f" Constraint programming was not asked: {error}."
+            self._unsupported, self._limit = True, f" Constraint programming was not asked: {error}."
             return None
         if self._settings.largest is not None and formulation.model.size > self._settings.largest:
             self._limit = " The mission is too large for constraint programming in a short time."
@@ -216,10 +219,10 @@ class Improving:
 
     # --- proving ----------------------------------------------------------------------------------------------------
 
-    def _tried(self, most_steps: int) -> Certificate | None:
-        """The certificate of having tried everything that could be better; None if that is too much."""
+    def _tried(self, most_steps: int, anyway: bool = False) -> Certificate | None:
+        """The certificate of having tried everything that could be better; None if that is too much, or proves nothing."""
         before = self._best
-        self._best, proof = tried_out(self._problem, before, self._horizon, most_steps, self._over)
+        self._best, proof = tried_out(self._problem, before, self._horizon, most_steps, self._over, anyway)
         if self._best is not None and self._best is not before:
             self._say(self._best)
         return proof

@@ -12,7 +12,12 @@ from missiontree.scheduling.replay import replay
 
 
 def tried_out(
-    problem: Problem, best: Draft | None, horizon: Callable[[], int], most_steps: int, ended: Callable[[], bool]
+    problem: Problem,
+    best: Draft | None,
+    horizon: Callable[[], int],
+    most_steps: int,
+    ended: Callable[[], bool],
+    anyway: bool = False,
 ) -> tuple[Draft | None, Certificate | None]:
     """
     The best draft after everything that could be better was tried, and the proof of it.
@@ -33,6 +38,8 @@ def tried_out(
         Steps after which to give up. The same steps are taken every time.
     ended
         Asked now and then whether to stop.
+    anyway
+        Whether to try also where nothing can be proven. Default false.
 
     Returns
     -------
@@ -41,7 +48,7 @@ def tried_out(
     if too_many(problem):
         return best, None
     limit = horizon() if best is None else best.makespan - 1
-    tried = Trying(problem, limit, most_steps, ended)()
+    tried = Trying(problem, limit, most_steps, ended, anyway)()
     if tried.course is not None:
         draft = replay(problem, tried.course)
         if draft is None:
@@ -49,7 +56,7 @@ def tried_out(
         longer = draft.makespan > tried.makespan
         best = draft if best is None or draft.value < best.value else best
         if longer:
-            tried = Trying(problem, best.makespan - 1, most_steps, ended)()
+            tried = Trying(problem, best.makespan - 1, most_steps, ended, anyway)()
             if tried.course is not None:  # nobody has shown that it can be carried out: it proves nothing
                 return best, None
     if not tried.complete:

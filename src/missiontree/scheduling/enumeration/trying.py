@@ -90,10 +90,15 @@ class Trying:
         Steps after which to give up.
     ended
         Asked now and then whether to stop.
+    anyway
+        Whether to try also where an order of starts may not do, so that what is found is good but nothing is proven. Default false.
     """
 
-    def __init__(self, problem: Problem, limit: int, most_steps: int, ended: Callable[[], bool]) -> None:
+    def __init__(
+        self, problem: Problem, limit: int, most_steps: int, ended: Callable[[], bool], anyway: bool = False
+    ) -> None:
         self._problem, self._limit, self._most, self._ended = problem, limit, most_steps, ended
+        self._anyway = anyway
         self._graph, self._bounds, self._staffing = problem.graph, problem.bounds, problem.staffing
         self._actions = [
             [(leaf, self._graph.tree.action(leaf)) for leaf in leaves] for leaves in self._graph.activities
@@ -116,7 +121,12 @@ class Trying:
         """Try."""
         opened = sorted(self._graph.until)
         ways = [sorted(self._graph.until[one]) for one in opened]
-        if too_many(self._problem) or self._out_of_turn() or may_wait_at_chargers(self._problem):
+        if too_many(self._problem) or self._problem.sharing.on_ways or may_wait_at_chargers(self._problem):
+            return Tried(
+                False, None, 0
+            )  # of ways without room for all, an order of starts does not tell who sets out first
+        in_turn = not self._out_of_turn()
+        if not in_turn and not self._anyway:
             return Tried(False, None, 0)
         # Not before it is known that the mission is small:
         self._relations, self._load = (
@@ -132,7 +142,7 @@ class Trying:
                 self._go_on(self._putting.begin())
         except _EnoughError:
             return Tried(False, self._best, self._steps, self._makespan)
-        return Tried(not self._may_exchange(), self._best, self._steps, self._makespan)
+        return Tried(in_turn and not self._may_exchange(), self._best, self._steps, self._makespan)
 
     def _may_exchange(self) -> bool:
         """
@@ -171,8 +181,6 @@ class Trying:
         moment at which one hands over and another takes over what they hold: of that no course can tell the order.
         """
         sharing = self._problem.sharing
-        if sharing.on_ways:  # nor does an order of starts tell who sets out first
-            return True
         if self._problem.hand_overs and (
             self._graph.until or any(not self._bounds.duration[one] for one in sharing.demand)
         ):
