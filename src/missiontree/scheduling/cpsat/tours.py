@@ -66,6 +66,7 @@ class Tours:
         self._add_times()
         self._homes = tuple(self._ways_home()) if problem.returning else ()
         self._add_homes()
+        self._add_work()
         count_heads(model, crew, spans, crew.usable)
         self._add_budgets()
         self._add_leaving()
@@ -192,6 +193,45 @@ class Tours:
                 continue
             self._model.at_least(Affine(self._times.makespan), self._spans.end(role), way.ticks, when)
             self._distances.least(home_after(role), way.mm, when)
+
+    def _add_work(self) -> None:
+        """
+        All tours together last no longer than all robots of the crew may.
+
+        Nothing new, but said as one sum over arcs: with the cuts of tours, the relaxation then knows how long the least tours are.
+        """
+        crew, model, bounds, graph = self.crew, self._model, self._problem.bounds, self._problem.graph
+        terms: list[tuple[int, int]] = []
+        total = 0
+        for role in crew.roles:
+            first = self._stations.first[role]
+            work = 0
+            for leaf in graph.roles[role]:
+                taken = bounds.duration[graph.activity_of[leaf]]
+                if leaf != first:
+                    work += taken + bounds.lag.get(leaf, 0)
+                elif not graph.tree.action(leaf).moves:
+                    work += taken
+            total += work
+            if first is None or graph.activity_of[first] in graph.until:
+                continue
+            for tail, literal in self._into(role):
+                ways = [
+                    way.ticks
+                    for origin in self._left_at(tail)
+                    for goal in self._stations.where[first]
+                    if (way := self._stations.way(first, origin, goal)) is not None
+                ]
+                if ways and min(ways):
+                    terms.append((min(ways), literal))
+        least_home: dict[int, int] = {}
+        for role, way, _ in self._homes:
+            if way is not None:
+                least_home[role] = min(way.ticks, least_home.get(role, way.ticks))
+        terms += [(ticks, self.arcs[self.node(role), 0]) for role, ticks in least_home.items() if ticks]
+        since = sum(member.since for member in crew.members)
+        terms += [(-member.since, self.arcs[1 + number, 0]) for number, member in enumerate(crew.members) if member.since]
+        model.add(Linear((*terms, (-crew.usable, self._times.makespan)), -FAR, -total - since))
 
     def _come(self, leaf: int, way: Way | None, over: Affine, when: tuple[int, ...]) -> None:
         if leaf in self._stations.before:
