@@ -13,8 +13,12 @@ from benchmarks.schedule_oracle import TooMuchError, least_makespan
 from missiontree.briefing import request_from
 from missiontree.checking import check
 from missiontree.mission.control import Control, Progress
+from missiontree.mission.entity import Entity
+from missiontree.mission.fleet import Fleet
+from missiontree.mission.scene import Scene
+from missiontree.mission.terms import Terms
 from missiontree.planner import plan_request
-from missiontree.scheduling.course import Course
+from missiontree.scheduling.course import Course, along
 from missiontree.scheduling.greedy import read_problem
 from missiontree.scheduling.neighbourhood import search
 from missiontree.scheduling.neighbourhood.network import Network
@@ -22,8 +26,9 @@ from missiontree.scheduling.neighbourhood.stops import stops_of
 from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.replay import replay
 from missiontree.scheduling.runs import Runs
+from tests.scheduling.instances import Part, at, mission, robots, work
 
-PLAIN = frozenset({"travel", "joint", "links", "apart", "idle", "times", "comings"})
+PLAIN = frozenset({"travel", "joint", "links", "apart", "idle", "times", "comings", "home"})
 """Features of which the longest paths know all there is."""
 
 
@@ -93,6 +98,29 @@ def test_no_rule_is_broken_and_nothing_below_the_least_is_found(monkeypatch: pyt
             assert least is not None
             assert best.makespan >= least
     assert better >= 1
+
+
+@pytest.mark.parametrize("home", [False, True])
+def test_tours_are_mended_in_the_middle_and_back_home(home: bool) -> None:
+    """
+    Twelve stops of a second each at 1 to 12 m, one robot at 0, 1 m/s: past all of them takes 24 s, and 36 s with the way back.
+
+    From a tour that goes to and fro, with every second stop on the far side of the one before.
+    """
+    made = mission([Part(f"p{n}", "r", [work(1, at=f"x{n}")]) for n in range(12)])
+    world = Scene(entities=tuple(Entity(id=f"x{n}", kind="place", position=at(n + 1)) for n in range(12)))
+    kind = robots("r", speed=1, position=at(0))
+    terms = Terms(return_home=home)
+    problem = read_problem(made.tree, made.alternative, Fleet((kind,)), world, terms)
+    assert isinstance(problem, Problem)
+    roles = [*problem.graph.roles]
+    first = replay(
+        problem, along({"r-1": [role for pair in zip(roles[:6], roles[::-1], strict=False) for role in pair]})
+    )
+    assert first is not None
+    assert first.makespan > 60_000
+    best = search.regrouped(problem, first, search.Regrouping(0, 200), lambda: False, lambda one: None)
+    assert best.makespan == (36_000 if home else 24_000)
 
 
 def test_a_large_mission_gets_shorter_and_passes_the_checker(tmp_path: Path) -> None:

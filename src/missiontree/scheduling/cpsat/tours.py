@@ -8,6 +8,7 @@ does the second right after the first, and how long it is under way between. A r
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import product
 
 from missiontree.estimation.travel import Blocked
 from missiontree.scheduling.cpsat.crew import Crew, uses_of
@@ -19,6 +20,7 @@ from missiontree.scheduling.cpsat.staff import MOST_FACTOR, Staff, least_whole, 
 from missiontree.scheduling.cpsat.times import Times
 from missiontree.scheduling.cpsat.travel import Distances, Legs, home_after
 from missiontree.scheduling.cpsat.unsupported import TimeIsUpError, UnsupportedError
+from missiontree.scheduling.cpsat.work import least_work
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.trips import Spot, Trip
 
@@ -196,42 +198,38 @@ class Tours:
 
     def _add_work(self) -> None:
         """
-        All tours together last no longer than all robots of the crew may.
+        All tours together last no longer than the robots that make them are there.
 
-        Nothing new, but said as one sum over arcs: with the cuts of tours, the relaxation then knows how long the least tours are.
+        That is nothing new, but said as one sum over arcs: of a chain of times the relaxation knows next to nothing; from the sum, with the
+        cuts that keep tours whole, it knows how long the least ones are (Dantzig, Fulkerson and Johnson 1954).
         """
-        crew, model, bounds, graph = self.crew, self._model, self._problem.bounds, self._problem.graph
-        terms: list[tuple[int, int]] = []
-        total = 0
-        for role in crew.roles:
+        crew, model = self.crew, self._model
+        work = sum(least_work(self._problem, role, self._stations.first[role]) for role in crew.roles)
+        absent = [
+            (member.since, self.arcs[1 + number, 0]) for number, member in enumerate(crew.members) if member.since
+        ]
+        terms = [*self._least_ways(), *self._least_ways_home(), *((-since, idle) for since, idle in absent)]
+        there = (-crew.usable, self._times.makespan)
+        model.add(Linear((*terms, there), -FAR, -work - sum(since for since, _ in absent)))
+
+    def _least_ways(self) -> Iterator[tuple[int, int]]:
+        """For every arc to a role, the least that the way takes."""
+        for role in self.crew.roles:
             first = self._stations.first[role]
-            work = 0
-            for leaf in graph.roles[role]:
-                taken = bounds.duration[graph.activity_of[leaf]]
-                if leaf != first:
-                    work += taken + bounds.lag.get(leaf, 0)
-                elif not graph.tree.action(leaf).moves:
-                    work += taken
-            total += work
-            if first is None or graph.activity_of[first] in graph.until:
+            if first is None or self._problem.graph.activity_of[first] in self._problem.graph.until:
                 continue
-            for tail, literal in self._into(role):
-                ways = [
-                    way.ticks
-                    for origin in self._left_at(tail)
-                    for goal in self._stations.where[first]
-                    if (way := self._stations.way(first, origin, goal)) is not None
-                ]
-                if ways and min(ways):
-                    terms.append((min(ways), literal))
-        least_home: dict[int, int] = {}
+            for tail, taken in self._into(role):
+                pairs = product(self._left_at(tail), self._stations.where[first])
+                ways = [way for pair in pairs if (way := self._stations.way(first, *pair)) is not None]
+                if least := min((way.ticks for way in ways), default=0):
+                    yield least, taken
+
+    def _least_ways_home(self) -> Iterator[tuple[int, int]]:
+        least: dict[int, int] = {}
         for role, way, _ in self._homes:
             if way is not None:
-                least_home[role] = min(way.ticks, least_home.get(role, way.ticks))
-        terms += [(ticks, self.arcs[self.node(role), 0]) for role, ticks in least_home.items() if ticks]
-        since = sum(member.since for member in crew.members)
-        terms += [(-member.since, self.arcs[1 + number, 0]) for number, member in enumerate(crew.members) if member.since]
-        model.add(Linear((*terms, (-crew.usable, self._times.makespan)), -FAR, -total - since))
+                least[role] = min(way.ticks, least.get(role, way.ticks))
+        return ((ticks, self.arcs[self.node(role), 0]) for role, ticks in least.items() if ticks)
 
     def _come(self, leaf: int, way: Way | None, over: Affine, when: tuple[int, ...]) -> None:
         if leaf in self._stations.before:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from operator import add
 
 from missiontree.estimation.travel import Blocked
 from missiontree.mission.ticks import ticks
@@ -28,11 +29,14 @@ class Paths:
         Ticks from each event to the end, along the longest path.
     makespan
         The end.
+    more
+        Arcs that tours add: by event, the events after it and the ticks between.
     """
 
     head: list[int]
     tail: list[int]
     makespan: int
+    more: Mapping[int, Sequence[tuple[int, int]]]
 
 
 class Network:
@@ -54,6 +58,7 @@ class Network:
                 self.start[robot.id] = start
                 self.since[robot.id] = ticks(kind.availability(robot)[0])
         self._ways: dict[tuple[int, Spot], int] = {}
+        self._homes: dict[tuple[str, Spot], int] = {}
         self._fixed: list[list[tuple[int, int]]] = [[(after, 0) for after in later] for later in self._graph.successors]
         activities = range(len(self._graph.activities))
         for activity in activities:
@@ -67,6 +72,7 @@ class Network:
             for after, _ in later:
                 self._missing[after] += 1
         self._release = {2 * activity: release for activity, release in self._graph.release.items()}
+        self._leading = {role for role in stops.of if self._leads(role)}
 
     def way(self, role: int, spot: Spot) -> int:
         """Ticks of the way to a role's entry."""
@@ -80,10 +86,40 @@ class Network:
             found = self._ways[key] = FAR if isinstance(trip, Blocked) else trip.ticks
         return found
 
+    def home(self, robot: str, spot: Spot) -> int:
+        """Ticks of a robot's way home from a spot, where robots return."""
+        if not self._problem.returning:
+            return 0
+        found = self._homes.get((robot, spot))
+        if found is None:
+            trip = self._problem.trips.approach(self._problem.fleet.type_of[robot].id, spot, self.start[robot])
+            found = self._homes[robot, spot] = FAR if isinstance(trip, Blocked) else trip.ticks
+        return found
+
+    def waiting(self, role: int, paths: Paths) -> set[int]:
+        """Events that come after the start of a role that is in no tour, because of orders and then of other tours."""
+        return self._after(role, paths.more) if role in self._leading else set()
+
+    def _leads(self, role: int) -> bool:
+        """Whether something of another role must come after something of a role, or is done jointly with it."""
+        own = {self._graph.activity_of[leaf] for leaf in self._graph.roles[role]}
+        after = {event // 2 for event in self._after(role, {}) if event < 2 * len(self._graph.activities)}
+        return bool(after - own) or any(len(self._graph.activities[activity]) > 1 for activity in own)
+
+    def _after(self, role: int, more: Mapping[int, Sequence[tuple[int, int]]]) -> set[int]:
+        seen, left = set[int](), [2 * self._stops.of[role].first]
+        while left:
+            event = left.pop()
+            for after, _ in (*self._fixed[event], *more.get(event, ())):
+                if after not in seen:
+                    seen.add(after)
+                    left.append(after)
+        return seen
+
     def measured(self, tours: Mapping[str, Sequence[int]]) -> Paths | None:
         """The longest paths, with tours; None if something would wait for itself."""
         more, missing = dict[int, list[tuple[int, int]]](), list(self._missing)
-        head = [0] * len(missing)
+        head, tail = [0] * len(missing), [0] * len(missing)
         for event, release in self._release.items():
             head[event] = release
         for robot, roles in tours.items():
@@ -92,6 +128,8 @@ class Network:
                 stop = self._stops.of[role]
                 self._add(more, missing, head, stop, self.way(role, spot), end, free)
                 spot, end, free = stop.left_at(spot), 2 * stop.last + 1, 0
+            if roles:
+                tail[end] = self.home(robot, spot)
         fixed = self._fixed
         ready = [event for event, count in enumerate(missing) if not count]
         for event in ready:  # grows as it is walked
@@ -106,15 +144,15 @@ class Network:
                     ready.append(after)
         if len(ready) < len(missing):
             return None
-        tail = [0] * len(missing)
         for event in reversed(ready):
-            longest = 0
+            longest = tail[event]
             for after, lag in fixed[event]:
                 longest = max(longest, tail[after] + lag)
             for after, lag in more.get(event, ()):
                 longest = max(longest, tail[after] + lag)
             tail[event] = longest
-        return Paths(head, tail, max(head, default=0))
+        makespan = max(map(add, head, tail), default=0)
+        return Paths(head, tail, makespan, more)
 
     @staticmethod
     def _add(

@@ -1,18 +1,19 @@
 """
 Large neighbourhood search over the tours of robots, for missions that are too large for one constraint model.
 
-A few roles, one of them on a longest path, are taken out of their tours and put in again one by one where the longest path through them
-is shortest ("ruin and recreate": Schrimpf, Schneider, Stamm-Wilbrandt and Dueck, Journal of Computational Physics 159, 2000; Shaw 1998).
-Where a role may go, and how long the path through it would be, is told by longest paths before and after. What is not much worse than what
-was held some steps ago is held (late acceptance: Burke and Bykov, European Journal of Operational Research 258, 2017). Budgets, shared
-resources and deadlines are left out of that; whatever looks better than the best is played through with all rules, and counts only then.
+A few roles, one of them on a longest path, are taken out of their tours and put in again one by one where the longest path stays shortest
+and the least way is added ("ruin and recreate": Schrimpf, Schneider, Stamm-Wilbrandt and Dueck, Journal of Computational Physics 159, 2000;
+those out are near each other: Shaw 1998). Where a role may go, and how long the path through it would be, is told by longest paths before
+and after. What is not much worse than what was held some steps ago is held (late acceptance: Burke and Bykov, European Journal of
+Operational Research 258, 2017). Budgets, shared resources and deadlines are left out of that; whatever looks better than the best is
+played through with all rules, and counts only then.
 Where robots refill, or wait for room on ways, which takes longer or shorter with every order, whatever is tried may be played through,
 and held for what comes of it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from random import Random
 
@@ -21,14 +22,17 @@ from missiontree.scheduling.neighbourhood.network import FAR, Network, Paths
 from missiontree.scheduling.neighbourhood.stops import Stops, stops_of
 from missiontree.scheduling.problem import FILLINGS, Draft, Filling, Problem
 from missiontree.scheduling.replay import replay
+from missiontree.scheduling.trips import Spot
 
 FEWEST_ROLES, FEWEST_TO_PASS = 6, 2
 """Of a mission that is searched; and of one where robots pass each other on ways that have no room for all, which no model knows."""
-MOST_OUT = 7
+MOST_OUT = 12
 """Roles taken out at once."""
-MEMORY = 40
+ANYWHERE, SOON = 0.1, 0.4
+"""Shares of the steps in which they are chosen by chance, and by when they are done; in the rest, by where."""
+MEMORY = 100
 """Steps back that are compared with."""
-NOISE, BLIND_NOISE = 0.03, 0.5
+NOISE, BLIND_NOISE = 0.01, 0.5
 """By how much places are misjudged on purpose, as a share of the makespan; and half of the time where paths do not know all that counts."""
 REFUSED = 30
 """Better tours in a row that break another rule, after which the search ends."""
@@ -175,49 +179,56 @@ class _Search:
         seed = luck.choice(critical or self._loose)
         many = min(len(self._loose), luck.randint(1, MOST_OUT))
         middle = paths.head[2 * stops[seed].first]
-        if luck.random() < 0.3:
+        spot, chance = stops[seed].origin, luck.random()
+
+        def far(role: int) -> int:
+            return abs(paths.head[2 * stops[role].first] - middle) if chance < SOON else self._network.way(role, spot)
+
+        if chance < ANYWHERE:
             others = luck.sample(self._loose, many)
         else:
-            near = sorted(
-                self._loose,
-                key=lambda role: (1.0 + luck.random()) * (abs(paths.head[2 * stops[role].first] - middle) + 1),
-            )
-            others = near[:many]
+            others = sorted(self._loose, key=lambda role: (1.0 + luck.random()) * (far(role) + 1))[:many]
         return list(dict.fromkeys([seed, *others]))[:many]
 
     def _put_in(self, tours: Tours, role: int, paths: Paths) -> bool:
-        """Where the longest path through the role is shortest; False if it can go nowhere."""
-        head, tail, stop = paths.head, paths.tail, self._stops.of[role]
-        ready, ends = head[2 * stop.first], head[2 * stop.last + 1]
-        rest = tail[2 * stop.last + 1]
-        best: tuple[float, str, int] | None = None
-        share = BLIND_NOISE if self._patient and self._luck.random() < 0.5 else NOISE
-        noise = share * paths.makespan * self._luck.random()
-        for robot in self._robots[self._problem.staffing.type_of[role]]:
-            roles = tours[robot]
-            if not self._may_join(role, roles):
-                continue
-            spot, free = self._network.start[robot], self._network.since[robot]
-            for place in range(len(roles) + 1):
-                follows = self._stops.of[roles[place]] if place < len(roles) else None
-                if follows is None or ready < head[2 * follows.last + 1] or ready == head[2 * follows.first]:
-                    way = self._network.way(role, spot)
-                    through = max(ready, free) + way + stop.length
-                    left = rest
-                    if follows is not None:
-                        left = max(left, self._network.way(roles[place], stop.left_at(spot)) + tail[2 * follows.first])
-                    value = through + left + 0.1 * way + noise * self._luck.random()
-                    if way < FAR and (best is None or value < best[0]):
-                        best = (value, robot, place)
-                if follows is None:
-                    break
-                if head[2 * follows.first] >= ends > ready:
-                    break  # it may wait for the role
-                spot, free = follows.left_at(spot), head[2 * follows.last + 1]
+        """Where the longest path stays shortest and the least way is added; False if it can go nowhere."""
+        luck = self._luck
+        share = BLIND_NOISE if self._patient and luck.random() < 0.5 else NOISE
+        noise = share * paths.makespan * luck.random()
+        places = (
+            (cost + noise * luck.random(), robot, place) for cost, robot, place in self._places(tours, role, paths)
+        )
+        best = min(places, default=None)
         if best is None:
             return False
         tours[best[1]].insert(best[2], role)
         return True
+
+    def _places(self, tours: Tours, role: int, paths: Paths) -> Iterator[tuple[int, str, int]]:
+        """Where a role can go: the longest path then, with the way that it adds; the robot, and the place in its tour."""
+        network, stop, head, tail = self._network, self._stops.of[role], paths.head, paths.tail
+        ready, rest, waiting = head[2 * stop.first], tail[2 * stop.last + 1], network.waiting(role, paths)
+        for robot in self._robots[self._problem.staffing.type_of[role]]:
+            roles = tours[robot]
+            if not self._may_join(role, roles):
+                continue
+            spot, free = network.start[robot], network.since[robot]
+            for place, follows in enumerate([*roles, None]):
+                next_stop = None if follows is None else self._stops.of[follows]
+                if next_stop is None or ready < head[2 * next_stop.last + 1] or ready == head[2 * next_stop.first]:
+                    way, onward = network.way(role, spot), self._onward(robot, stop.left_at(spot), follows)
+                    left = max(rest, onward + (0 if next_stop is None else tail[2 * next_stop.first]))
+                    instead = self._onward(robot, spot, follows) if roles else 0
+                    if way + left < FAR:
+                        through = max(ready, free) + way + stop.length + left
+                        yield max(through, paths.makespan) + way + onward - instead, robot, place
+                if next_stop is None or 2 * next_stop.last + 1 in waiting:
+                    break
+                spot, free = next_stop.left_at(spot), head[2 * next_stop.last + 1]
+
+    def _onward(self, robot: str, spot: Spot, follows: int | None) -> int:
+        """The way from a spot to the role that follows, or home."""
+        return self._network.home(robot, spot) if follows is None else self._network.way(follows, spot)
 
     def _may_join(self, role: int, roles: list[int]) -> bool:
         staffing = self._problem.staffing
