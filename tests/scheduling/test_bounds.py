@@ -78,9 +78,9 @@ def test_the_load_of_one_robot_counts_the_way_into_each_place() -> None:
     made = mission([Part("a", "r", [work(1, at="p")]), Part("b", "r", [work(1, at="q")])])
     bounds = bounds_of(made, robots("r", speed=1, position=at(0)), world=scene(p=10, q=-10))
     assert (bounds.makespan, bounds.method) == (22_000, "load")
-    # a second role at p may find the robot there: then only the way to q is certain, 1 + 1 + 11 s from 0 on
+    # a second role at p may find the robot there: then the ways to p and to q are certain, 10 m each, and 3 s of work
     made = mission([Part(name, "r", [work(1, at=place)]) for name, place in (("a", "p"), ("c", "p"), ("b", "q"))])
-    assert bounds_of(made, robots("r", speed=1, position=at(0)), world=scene(p=10, q=-10)).makespan == 13_000
+    assert bounds_of(made, robots("r", speed=1, position=at(0)), world=scene(p=10, q=-10)).makespan == 23_000
 
 
 def test_a_move_into_a_role_is_no_longer_than_the_joint_move_that_it_is() -> None:
@@ -97,14 +97,14 @@ def test_the_way_of_a_role_that_begins_anywhere_counts_from_where_its_robot_can_
     """
     b waits for a (5 s), takes 2 s wherever its robot is, and then works at p, 10 m off, 1 s: nothing else takes its robot anywhere, so
     5 + 2 + 10 + 1 = 18 s. If another role of the type ends at p, or a charger stands there, b's robot may be there when b begins: then
-    only the way from the start counts, 2 s of standing still, 10 + 1 = 13 s.
+    only the way from the start counts, 2 s of standing still, 10 + 1 = 13 s; with the 1 s of the other role, 14 s.
     """
     a, b = Part("a", "x", [work(5)]), Part("b", "r", [work(2), work(1, at="p")])
     kinds, world = (robots("x"), robots("r", speed=1, position=at(0))), scene(p=10)
     bounds = bounds_of(mission([a, b], [("a", "b")]), *kinds, world=world)
     assert (bounds.makespan, bounds.method) == (18_000, "critical_path")
     c = Part("c", "r", [work(1, at="p")])
-    assert bounds_of(mission([a, b, c], [("a", "b")]), *kinds, world=world).makespan == 13_000
+    assert bounds_of(mission([a, b, c], [("a", "b")]), *kinds, world=world).makespan == 14_000
     station = Chargers({"r": (Station("dock", at(10), "energy_j", 1.0, 1),)})
     assert bounds_of(mission([a, b], [("a", "b")]), *kinds, world=world, chargers=station).makespan == 13_000
 

@@ -9,7 +9,9 @@ RANKING_PROOFS = BY_AIM | {"lazy_k_best", "branch_and_bound", "pool", "enumerati
 CHOICE_PROOFS = frozenset({"epsilon_constraint", "best_first"})
 """How fronts and choices by an objective are made."""
 
-BOUND_PROOFS = frozenset({"critical_path", "load", "resource_load", "refill_load", "second_formulation", "enumeration"})
+BOUND_PROOFS = frozenset(
+    {"critical_path", "load", "resource_load", "refill_load", "spanning_tree", "second_formulation", "enumeration"}
+)
 """Why no schedule is shorter."""
 
 COMPLETE_SEARCHES = frozenset({"labels"})

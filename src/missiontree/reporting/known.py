@@ -11,6 +11,7 @@ _HOW = {
     "load": "a bound (load)",
     "resource_load": "a bound (resource load)",
     "refill_load": "a bound (refill load)",
+    "spanning_tree": "a bound (spanning tree)",
     "second_formulation": "a second formulation",
     "enumeration": "enumeration",
     "labels": "a complete search (labels)",

@@ -1,11 +1,12 @@
 """
 Lower bounds on the makespan: no schedule of the alternative can be shorter, whichever robots are taken.
 
-Four of them. *Critical path*: the longest chain of actions that must follow each other, travel included where both ends are certain.
+Five of them. *Critical path*: the longest chain of actions that must follow each other, travel included where both ends are certain.
 *Load*: what the robots of a type must do, shared evenly among them, after the earliest that any of it can begin and before the
 least that must still follow (the subset bound of parallel machines with heads and tails). *Resource load*: the same of what a shared
 resource must be held for, and the robots that it has room for. *Refill load*: what robots must take in at chargers, see
-:mod:`missiontree.scheduling.refilling`.
+:mod:`missiontree.scheduling.refilling`. *Spanning tree*: the load with the least ways that connect it, see
+:mod:`missiontree.scheduling.spanning`.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.refilling import refill_bound
 from missiontree.scheduling.role_spots import first_spots
 from missiontree.scheduling.sharing import NOTHING_SHARED, Sharing
+from missiontree.scheduling.spanning import spanning_bound
 from missiontree.scheduling.staffing import Staffing
 from missiontree.scheduling.trips import Spot, Trips
 
@@ -46,7 +48,7 @@ class Bounds:
     makespan
         No schedule is shorter.
     method
-        ``critical_path``, ``load``, ``resource_load`` or ``refill_load``: which bound is the largest.
+        ``critical_path``, ``load``, ``resource_load``, ``refill_load`` or ``spanning_tree``: which bound is the largest.
     duration
         Least duration of each activity.
     lag
@@ -129,6 +131,7 @@ def lower_bounds(
         "load": max(load_bound(pieces, fleet) for pieces in forms),
         "resource_load": holding_bound(sharing, duration, heads, tails),
         "refill_load": max(refill_bound(graph, staffing, own, entries, fleet, trips, chargers) for own in forms),
+        "spanning_tree": spanning_bound(graph, staffing, duration, lag, tails, places, fleet, trips, chargers),
     }
     makespan = max(found.values())
     method = next(name for name, bound in found.items() if bound == makespan)  # the plainest of the largest

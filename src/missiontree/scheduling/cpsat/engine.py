@@ -27,7 +27,9 @@ GREEDY_SHARE = 0.2  # of the time, for greedy runs beyond the first that succeed
 GREEDY_RUNS = 6  # in missions of few roles, for which the solver does more; in others, before anything else is tried
 CPSAT = Settings(longest_s=30.0)
 """Half a minute for each alternative, at most."""
-AUTO = Settings(longest_s=1.0, largest=20_000, deterministic=True, tidy=False, last_steps=4_000, regrouping=8_000)
+AUTO = Settings(
+    longest_s=1.0, largest=20_000, deterministic=True, tidy=False, last_steps=4_000, regrouping=8_000, spanned=0
+)
 """A second at most, and the same answer every time."""
 
 

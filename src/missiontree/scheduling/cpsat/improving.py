@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cached_property
 
 from missiontree.mission.alternative import Alternative
@@ -24,6 +25,7 @@ from missiontree.scheduling.horizon import horizon_of
 from missiontree.scheduling.neighbourhood.search import Regrouping, regrouped
 from missiontree.scheduling.problem import Draft, Problem
 from missiontree.scheduling.replay import replay
+from missiontree.scheduling.spanning import spanning_bound
 from missiontree.scheduling.writing import by_bound, found_schedule, no_schedule, unknown_schedule
 
 WRITING = 0.3  # what it takes to verify, replay and write an answer, in units of what it took to build the model
@@ -72,6 +74,7 @@ class Improving:
 
     def __call__(self) -> Schedule:
         """Improve, prove, and write it down."""
+        self._span()
         proof = self._tried(self._settings.first_steps)
         if proof is not None and (self._best is None or not self._settings.tidy):
             return self._written(proof)
@@ -87,6 +90,16 @@ class Improving:
         if self._best is not None and self._settings.tidy and (proof is not None or self._closed()):
             self._tidy(formulation)
         return self._written(proof)
+
+    def _span(self) -> None:
+        """The bound by spanning trees, where there was no time for it before."""
+        problem, bounds = self._problem, self._problem.bounds
+        given = (problem.graph, problem.staffing, bounds.duration, bounds.lag, bounds.tails, problem.places)
+        team = (problem.fleet, problem.trips, problem.chargers)
+        spanned = spanning_bound(*given, *team, many=self._settings.spanned, over=self._over)
+        if spanned > bounds.makespan:
+            self._problem = replace(problem, bounds=replace(bounds, makespan=spanned, method="spanning_tree"))
+            self._bound = spanned
 
     def _met(self) -> bool:
         """Whether the best meets a bound of our own, and nothing is to be tidied."""

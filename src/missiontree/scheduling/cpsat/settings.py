@@ -25,6 +25,8 @@ class Settings:
     regrouping
         Limit of the large neighbourhood search: its rounds times the roles of the mission. None means that time alone limits it in missions
         of many roles. Default None.
+    spanned
+        Places of a type up to which spanning trees bound the mission. Default 1,000.
     """
 
     longest_s: float
@@ -34,3 +36,4 @@ class Settings:
     first_steps: int = 1_000
     last_steps: int = 20_000
     regrouping: int | None = None
+    spanned: int = 1_000

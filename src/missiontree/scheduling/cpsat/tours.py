@@ -20,7 +20,7 @@ from missiontree.scheduling.cpsat.staff import MOST_FACTOR, Staff, least_whole, 
 from missiontree.scheduling.cpsat.times import Times
 from missiontree.scheduling.cpsat.travel import Distances, Legs, home_after
 from missiontree.scheduling.cpsat.unsupported import TimeIsUpError, UnsupportedError
-from missiontree.scheduling.cpsat.work import least_work
+from missiontree.scheduling.own_work import own_work
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.trips import Spot, Trip
 
@@ -203,8 +203,9 @@ class Tours:
         That is nothing new, but said as one sum over arcs: of a chain of times the relaxation knows next to nothing; from the sum, with the
         cuts that keep tours whole, it knows how long the least ones are (Dantzig, Fulkerson and Johnson 1954).
         """
-        crew, model = self.crew, self._model
-        work = sum(least_work(self._problem, role, self._stations.first[role]) for role in crew.roles)
+        crew, model, graph, bounds = self.crew, self._model, self._problem.graph, self._problem.bounds
+        first = self._stations.first
+        work = sum(own_work(graph, bounds.duration, bounds.lag, role, first[role]) for role in crew.roles)
         absent = [
             (member.since, self.arcs[1 + number, 0]) for number, member in enumerate(crew.members) if member.since
         ]
