@@ -15,6 +15,9 @@ from missiontree.scheduling.trips import Spot
 FAR = 1 << 60
 """Of a way that is blocked."""
 
+_Arcs = Mapping[int, Sequence[tuple[int, int]]]
+"""By event, the events after it and the ticks between."""
+
 
 @dataclass(frozen=True, slots=True)
 class Paths:
@@ -36,7 +39,7 @@ class Paths:
     head: list[int]
     tail: list[int]
     makespan: int
-    more: Mapping[int, Sequence[tuple[int, int]]]
+    more: _Arcs
 
 
 class Network:
@@ -72,7 +75,7 @@ class Network:
             for after, _ in later:
                 self._missing[after] += 1
         self._release = {2 * activity: release for activity, release in self._graph.release.items()}
-        self._leading = {role for role in stops.of if self._leads(role)}
+        self._leading: dict[int, bool] = {}
 
     def way(self, role: int, spot: Spot) -> int:
         """Ticks of the way to a role's entry."""
@@ -98,7 +101,10 @@ class Network:
 
     def waiting(self, role: int, paths: Paths) -> set[int]:
         """Events that come after the start of a role that is in no tour, because of orders and then of other tours."""
-        return self._after(role, paths.more) if role in self._leading else set()
+        leads = self._leading.get(role)
+        if leads is None:
+            leads = self._leading[role] = self._leads(role)
+        return self._after(role, paths.more) if leads else set()
 
     def _leads(self, role: int) -> bool:
         """Whether something of another role must come after something of a role, or is done jointly with it."""
@@ -106,7 +112,7 @@ class Network:
         after = {event // 2 for event in self._after(role, {}) if event < 2 * len(self._graph.activities)}
         return bool(after - own) or any(len(self._graph.activities[activity]) > 1 for activity in own)
 
-    def _after(self, role: int, more: Mapping[int, Sequence[tuple[int, int]]]) -> set[int]:
+    def _after(self, role: int, more: _Arcs) -> set[int]:
         seen, left = set[int](), [2 * self._stops.of[role].first]
         while left:
             event = left.pop()
@@ -130,29 +136,37 @@ class Network:
                 spot, end, free = stop.left_at(spot), 2 * stop.last + 1, 0
             if roles:
                 tail[end] = self.home(robot, spot)
+        order = self._heads(head, more, missing)
+        if len(order) < len(missing):
+            return None
+        self._tails(tail, more, order)
+        return Paths(head, tail, max(map(add, head, tail), default=0), more)
+
+    def _heads(self, head: list[int], more: _Arcs, missing: list[int]) -> list[int]:
+        """Earliest times, into ``head``, and the order of events in which they came about; without those that wait for themselves."""
         fixed = self._fixed
         ready = [event for event, count in enumerate(missing) if not count]
         for event in ready:  # grows as it is walked
             at = head[event]
-            later = fixed[event]
-            if event in more:
-                later = later + more[event]
-            for after, lag in later:
-                head[after] = max(head[after], at + lag)
-                missing[after] -= 1
-                if not missing[after]:
-                    ready.append(after)
-        if len(ready) < len(missing):
-            return None
-        for event in reversed(ready):
+            for later in (fixed[event], more[event]) if event in more else (fixed[event],):
+                for after, lag in later:
+                    if at + lag > head[after]:  # noqa: PLR1730 - a call for each arc would take half as long again
+                        head[after] = at + lag
+                    missing[after] -= 1
+                    if not missing[after]:
+                        ready.append(after)
+        return ready
+
+    def _tails(self, tail: list[int], more: _Arcs, order: Sequence[int]) -> None:
+        """Longest paths to the end, into ``tail``, which holds what comes after the last arc."""
+        fixed = self._fixed
+        for event in reversed(order):
             longest = tail[event]
-            for after, lag in fixed[event]:
-                longest = max(longest, tail[after] + lag)
-            for after, lag in more.get(event, ()):
-                longest = max(longest, tail[after] + lag)
+            for later in (fixed[event], more[event]) if event in more else (fixed[event],):
+                for after, lag in later:
+                    if tail[after] + lag > longest:  # noqa: PLR1730 - as above
+                        longest = tail[after] + lag
             tail[event] = longest
-        makespan = max(map(add, head, tail), default=0)
-        return Paths(head, tail, makespan, more)
 
     @staticmethod
     def _add(
