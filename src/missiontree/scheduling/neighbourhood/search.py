@@ -26,8 +26,8 @@ from missiontree.scheduling.trips import Spot
 
 FEWEST_ROLES, FEWEST_TO_PASS = 6, 2
 """Of a mission that is searched; and of one where robots pass each other on ways that have no room for all, which no model knows."""
-MOST_OUT = 12
-"""Roles taken out at once."""
+MOST_OUT, ALL_OUT = 12, 150
+"""Roles taken out at once; and roles of a mission of which all are, in the first step."""
 ANYWHERE, SOON = 0.1, 0.4
 """Shares of the steps in which they are chosen by chance, and by when they are done; in the rest, by where."""
 MEMORY = 100
@@ -108,8 +108,9 @@ class _Search:
         while (rounds is None or done < rounds) and not ended() and self._refused < REFUSED:
             if self._draft.makespan == self._problem.bounds.makespan:
                 break
+            out = self._loose if not done and len(self._loose) <= ALL_OUT else self._chosen(paths)
             done += 1
-            trial = self._recreated({robot: list(roles) for robot, roles in tours.items()}, paths)
+            trial = self._recreated({robot: list(roles) for robot, roles in tours.items()}, [*out], ended)
             measured = self._network.measured(trial) if trial is not None else None
             if trial is None or measured is None:
                 continue
@@ -156,14 +157,14 @@ class _Search:
 
     # --- out and in again -------------------------------------------------------------------------------------------
 
-    def _recreated(self, tours: Tours, paths: Paths) -> Tours | None:
-        out = self._chosen(paths)
+    def _recreated(self, tours: Tours, out: list[int], ended: Callable[[], bool]) -> Tours | None:
+        """Tours with some roles taken out and put in again; None if one can go nowhere, or it is ended before."""
         gone = set(out)
         for robot, roles in tours.items():
             tours[robot] = [role for role in roles if role not in gone]
         self._luck.shuffle(out)
         for role in out:
-            left = self._network.measured(tours)
+            left = None if ended() else self._network.measured(tours)
             if left is None or not self._put_in(tours, role, left):
                 return None
         return tours
