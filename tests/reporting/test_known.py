@@ -4,7 +4,7 @@ import pytest
 
 from missiontree.mission.certificate import Certificate, Claim
 from missiontree.mission.schedule import Schedule, ScheduleStatus
-from missiontree.reporting.known import by_word, known_in_words, known_of
+from missiontree.reporting.known import by_word, known_in_words, known_of, may_look_further
 
 
 @pytest.mark.parametrize(
@@ -12,6 +12,7 @@ from missiontree.reporting.known import by_word, known_in_words, known_of
     [
         ("optimal", "proven", "critical_path", 8, "optimal, confirmed by a bound (critical path)"),
         ("optimal", "proven", "load", 8, "optimal, confirmed by a bound (load)"),
+        ("optimal", "proven", "spanning_tree", 8, "optimal, confirmed by a bound (spanning tree)"),
         ("optimal", "proven", "second_formulation", 8, "optimal, confirmed by a second formulation"),
         ("optimal", "proven", "enumeration", 8, "optimal, confirmed by enumeration"),
         ("optimal", "proven", "labels", 8, "optimal, confirmed by a complete search (labels)"),
@@ -37,3 +38,18 @@ def test_each_outcome_is_said_in_words(
 def test_where_nothing_takes_time_there_is_no_gap() -> None:
     certificate = Certificate(claim="bounded", method="load", bound=0.0)
     assert known_in_words("feasible", certificate, 0.0) == "feasible; none is below 0 s (gap 0 %)"
+
+
+@pytest.mark.parametrize(
+    ("status", "scheduler", "may"),
+    [
+        ("feasible", "greedy", True),
+        ("feasible", "auto", True),
+        ("feasible", "cpsat", False),
+        ("optimal", "greedy", False),
+        ("unknown", "greedy", False),
+    ],
+)
+def test_who_left_a_gap_in_a_moment_is_told_who_takes_longer(status: ScheduleStatus, scheduler: str, may: bool) -> None:
+    schedule = Schedule(rank=1, status=status, certificate=Certificate(claim="bounded", method="load", bound=6.0))
+    assert may_look_further(schedule, scheduler) == may

@@ -17,6 +17,8 @@ _HOW = {
     "labels": "a complete search (labels)",
 }
 
+FURTHER = "missiontree plan --scheduler cpsat looks longer for a shorter one, and for a proof."
+
 
 def known_in_words(status: ScheduleStatus, certificate: Certificate, makespan_s: float) -> str:
     """
@@ -54,6 +56,11 @@ def by_word(schedule: Schedule) -> bool:
 def _optimal_by_word(status: ScheduleStatus, certificate: Certificate, makespan_s: float) -> bool:
     word = status == "feasible" and certificate.claim == "solver_word"
     return word and certificate.bound is not None and certificate.bound >= makespan_s
+
+
+def may_look_further(schedule: Schedule, scheduler: str) -> bool:
+    """Whether another scheduler takes more time for a schedule that is not known to be the shortest."""
+    return schedule.status == "feasible" and scheduler in {"greedy", "auto"}
 
 
 def how_in_words(certificate: Certificate) -> str:

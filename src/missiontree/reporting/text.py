@@ -22,7 +22,7 @@ from missiontree.reporting.critical.view import BRIEF, title_and_view
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.front.rows import choice_in_words, front_in_words, listed_rank
 from missiontree.reporting.front.view import front_table
-from missiontree.reporting.known import by_word, known_of
+from missiontree.reporting.known import FURTHER, by_word, known_of, may_look_further
 from missiontree.reporting.left_out import known_of_larger, parts_left_out
 from missiontree.reporting.limit_lines import limit_lines
 from missiontree.reporting.references import refuse_dangling
@@ -117,7 +117,8 @@ def _schedule(plan: Plan, schedule: Schedule, whose: str) -> Iterator[Renderable
     deadline_s = plan.grounding.tree.nodes[0].deadline_s
     due = "" if deadline_s is None else f" (due by {deadline_s:g} s)"
     title = f"Schedule of {whose}: {_length(schedule.makespan_s)}{due}, {known_of(schedule)}"
-    yield from _titled(title, [timeline(schedule, plan)])
+    further = [words(FURTHER, "dim")] if may_look_further(schedule, plan.provenance.scheduler) else []
+    yield from _titled(title, [timeline(schedule, plan), *further])
     yield from _titled(*title_and_view(plan, schedule, BRIEF))
 
 
