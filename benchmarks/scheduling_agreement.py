@@ -168,7 +168,7 @@ def _parts(case: ScheduleCase, truth: int | None) -> Iterator[tuple[str, str]]:
     if problem.bounds.method == "refill_load":
         return  # with levels that last for ever, as the oracle has them, less may do than the bound
     if "chargers" in case.features:
-        if tried.complete and (tried.course is None) != (truth is None):
+        if tried.complete and ((tried.course is None and truth is not None) or (draft is not None and truth is None)):
             yield "disagreements of parts", f"trying finds {tried.course}, the least is {truth}"
     elif tried.complete and (None if draft is None else draft.makespan) != truth:
         yield "disagreements of parts", f"trying comes to {draft and draft.makespan}, the least is {truth}"

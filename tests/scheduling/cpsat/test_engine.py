@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks.campaign import luck
+from benchmarks.schedule_cases import random_schedule_case
 from missiontree.mission.control import Control, Progress
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, Robot, RobotType
@@ -124,6 +126,16 @@ def test_what_the_model_cannot_say_is_tried_out_longer(monkeypatch: pytest.Monke
     result = schedule_within(*given, Settings(longest_s=60, first_steps=0, regrouping=0))
     assert (result.makespan_s, result.certificate.method) == (12, "enumeration")
     assert "Constraint programming was not asked: robots sing" in result.certificate.detail
+
+
+def test_what_the_solver_finds_and_nobody_can_play_through_is_tried_out() -> None:
+    """
+    A random mission of four roles of which two last until something ends, one of them beside moves at the same moment: the solver knows the
+    least length, 20.334 s, but not in which order those moments come, and the greedy runs lock each other out.
+    """
+    case = random_schedule_case(luck(47, 69_218))
+    result = SCHEDULERS["cpsat"](case.tree, case.alternative, case.fleet, case.scene, Control(), case.terms)
+    assert (result.status, result.makespan_s) == ("feasible", 20.334)
 
 
 def test_what_nothing_confirms_is_the_solver_s_word() -> None:

@@ -2,13 +2,15 @@
 Wrong answers that the solver's version 9.15 calls optimal, in the forms in which missiontree asks.
 
 The trap is optional intervals of several robots that share one start and one end: four tasks whose least makespan is 7 are certified at 10.
-The other has no optional interval at all, is a random mission with tours, reduced, and depends on one parameter.
+The others have no optional interval at all, are random missions with tours, and depend on one parameter each.
 """
 
 from __future__ import annotations
 
 from itertools import product
 
+from benchmarks.campaign import luck
+from benchmarks.schedule_cases import random_schedule_case
 from missiontree.mission.control import Control
 from missiontree.mission.fleet import Fleet, Robot
 from missiontree.mission.scene import Scene
@@ -95,3 +97,17 @@ def test_a_mission_with_tours_that_was_called_optimal_too_late() -> None:
     assert isinstance(problem, Problem)
     found = search(Formulation(problem, 20_000).model, 60, lambda: False)
     assert (found.verdict, found.objective) == ("optimal", 15_000)
+
+
+def test_a_mission_that_presolve_cut_the_best_answer_from() -> None:
+    """
+    One robot whose start is unknown does all; a cat at 5 that it brings to p, at 0, and then to r, at 7, at 0.5 m/s. It goes 2 m/s alone.
+
+    Work at the cat (0-5), at r, 2 m off (6-11), and at the cat again (12-17 and 17-22); the cat to p takes 10 s (22-32), then 2 s of work
+    at the box, 2 m off (33-35), the cat to r 10 s (35-45), and 3 s anywhere: 48 s. With the whole of presolve, 53 s is called optimal.
+    """
+    case = random_schedule_case(luck(47, 36_753))
+    problem = read_problem(case.tree, case.alternative, case.fleet, case.scene, case.terms)
+    assert isinstance(problem, Problem)
+    found = search(Formulation(problem, 75_500).model, 60, lambda: False)
+    assert (found.verdict, found.objective) == ("optimal", 48_000)

@@ -87,6 +87,8 @@ class Improving:
             return self._written(proof)
         if proof is None and self._least_makespan(formulation):
             proof = self._confirmed() or self._tried(self._settings.last_steps)
+        if proof is None and self._best is None:
+            proof = self._tried(self._settings.last_steps, anyway=True)
         if self._best is not None and self._settings.tidy and (proof is not None or self._closed()):
             self._tidy(formulation)
         return self._written(proof)

@@ -26,6 +26,7 @@ from missiontree.scheduling.cpsat import worker
 from missiontree.scheduling.cpsat.model import Model
 from missiontree.scheduling.cpsat.text import text_of
 from missiontree.scheduling.cpsat.worker import Message, Work
+from missiontree.scheduling.sound_solver import SOUND
 
 Verdict = Literal["optimal", "feasible", "infeasible", "unknown"]
 WORKERS = 8  # even on few cores: with fewer, the searches that raise the bound hardly run
@@ -88,8 +89,7 @@ class Effort:
             "random_seed": self.seed % (1 << 31),
             "max_time_in_seconds": max(0.001, limit_s),
             "catch_sigint_signal": False,
-            # This propagator of 9.15 cuts off feasible optima and lets worse ones be called optimal; see tests/scheduling/cpsat.
-            "auto_detect_greater_than_at_least_one_of": False,
+            **SOUND,
         }
         if self.deterministic:
             found["interleave_search"] = True

@@ -19,6 +19,7 @@ from missiontree.scheduling.joint.listing import Listed
 from missiontree.scheduling.joint.model import Form, JointModel
 from missiontree.scheduling.joint.paths import Paths
 from missiontree.scheduling.joint.problem import JointProblem
+from missiontree.scheduling.sound_solver import SOUND
 
 WORKERS = 8
 LOOK_S = 0.02
@@ -133,7 +134,8 @@ def _solver(seed: int) -> Any:
     solver.parameters.num_workers = WORKERS
     solver.parameters.random_seed = seed % (1 << 31)
     solver.parameters.catch_sigint_signal = False  # the stop token hears it
-    solver.parameters.auto_detect_greater_than_at_least_one_of = False  # unsound in 9.15, see docs/why/schedules.md
+    for name, value in SOUND.items():
+        setattr(solver.parameters, name, value)
     return solver
 
 
