@@ -14,6 +14,7 @@ from missiontree.allocation.columns import flat_of_columns
 from missiontree.allocation.compiled import PLAIN, Engine, fast_engine
 from missiontree.allocation.core import core_of
 from missiontree.allocation.feasibility import Feasibility
+from missiontree.allocation.kbest import ExactKBest
 from missiontree.allocation.pool import Pool
 from missiontree.allocation.possible import possible_nodes
 from missiontree.allocation.preorder import preorder
@@ -22,7 +23,9 @@ from missiontree.allocation.rounds import Rounds, least_utility
 from missiontree.formats.importers.tree_json import columns_of
 from missiontree.formats.reader import parse
 from missiontree.mission.control import Control
+from missiontree.mission.estimate import Weights
 from tests.allocation.test_searched import Boiled, boiled, ways_within
+from tests.builders import trivial_fleet
 from tests.strategies import cases
 
 MANY = (10**6, 10**6)
@@ -186,6 +189,34 @@ def test_once_time_is_up_exchanges_alone_are_tried_only_if_nothing_else_finds_a_
     mended = rounds_of(mission(120, 4, 1), 3, stopped)
     assert len(mended.start()) == 1
     assert (asked, mended.pool.highest is not None) == (["exchanges"], True)
+
+
+def test_one_way_is_found_before_the_compiled_functions_are_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Somebody stops while they are loaded: that way is kept, with a bound; the next step would not have begun."""
+    said, waited = list[bool](), list[bool]()
+
+    def loading(ended: object) -> None:
+        waited.append(True)
+        said.append(True)
+
+    for name, value in {"can_compile": lambda: True, "is_warm": lambda: False, "engine_unless": loading}.items():
+        monkeypatch.setattr(module, name, value)
+    problem = mission(120, 4, 1)
+    least, most = 1, len(problem.core)
+    assert not module.takes_long_to_begin(problem.core)
+    monkeypatch.setattr(module, "LARGE", least)
+    assert module.takes_long_to_begin(problem.core)
+    monkeypatch.setattr(module, "GIANT", most)
+    assert not module.takes_long_to_begin(problem.core)
+    monkeypatch.setattr(module, "GIANT", most + 1)
+    ranking = ExactKBest()(problem.flat, trivial_fleet(), Weights(), 1, Control(stop=lambda: bool(said)))
+    assert waited == [True]
+    assert (ranking.status, ranking.certificate.claim, len(ranking.alternatives)) == ("partial", "bounded", 1)
+    done = rounds_of(problem, 1)
+    assert done.run()
+    best = done.pool.listed()[0].utility / 1_000_000
+    assert ranking.certificate.bound is not None
+    assert ranking.alternatives[0].utility <= best <= ranking.certificate.bound
 
 
 def test_ways_beyond_number_are_settled_by_the_order_of_choices() -> None:

@@ -25,7 +25,7 @@ from missiontree.allocation.pool import fill
 from missiontree.allocation.possible import Possibility, possible_nodes, reasons_of
 from missiontree.allocation.preorder import preorder
 from missiontree.allocation.purses import purses_of
-from missiontree.allocation.rounds import Rounds
+from missiontree.allocation.rounds import Rounds, begun, takes_long_to_begin
 from missiontree.allocation.search import BY_BOUNDS, Search
 from missiontree.allocation.uncoupled import Uncoupled, Written
 from missiontree.allocation.writing import impossible, no_robot_able, require_count
@@ -154,10 +154,12 @@ class _Road:
         if search.referee is None and len(self.flat.kind) >= LARGE:
             return search.finished() if self._hurriedly() else search.stopped(self._limit(0))
         purses = purses_of(self.flat, self.possible)
-        core = core_of(self.flat, self.possible, purses)
-        rounds = Rounds(
-            core, purses, preorder(self.flat), search.pool, self.control, settings.max_nodes, settings.hands
-        )
+        core, rank = core_of(self.flat, self.possible, purses), preorder(self.flat)
+        if purses.names and takes_long_to_begin(core):
+            search.bound_by(begun(core, purses, rank, search.pool, self.control))
+            if self.control.ended() and search.pool.highest is not None:
+                return search.stopped(self._limit(0))
+        rounds = Rounds(core, purses, rank, search.pool, self.control, settings.max_nodes, settings.hands)
         if purses.names and not self._given_up(settings.max_examined):
             search.bound_by(rounds.bound)
             if rounds.run():

@@ -17,6 +17,7 @@ from typing import Literal
 from missiontree.allocation.compiled import PLAIN, Engine, can_compile
 from missiontree.allocation.core import Core, Way
 from missiontree.allocation.crew import Crew
+from missiontree.allocation.exchanges import repaired
 from missiontree.allocation.kernel.columns import FINISHED, LAST, PAUSED
 from missiontree.allocation.pool import Pool, look_around, start
 from missiontree.allocation.purses import Purses
@@ -43,6 +44,30 @@ DENSITY = 50  # ways sought per way found, as it were; the more, the smaller the
 TIES = 16  # ways beyond the k wanted, of the same utility as the last, before the order of choices is settled apart
 
 Ended = Literal["finished", "stopped"]
+
+
+def takes_long_to_begin(core: Core) -> bool:
+    """Whether the compiled functions are waited for, in which time one way could be found without them."""
+    return LARGE <= len(core) < GIANT and can_compile() and not is_warm()
+
+
+def begun(core: Core, purses: Purses, rank: Sequence[int], pool: Pool, control: Control) -> int:
+    """
+    Put one way into the pool by plain means, even when time is up, and then wait for the compiled functions, until it is.
+
+    Returns
+    -------
+    int
+        Nothing has more utility (millionths).
+    """
+    plain = Searched(core, purses, rank, PLAIN, scale_of(core), (), False)
+    bound = plain.price(1)
+    way = repaired(core, purses, plain.advised())
+    if way is not None:
+        pool.offer(core.taken(way))
+    if not control.ended():
+        engine_unless(control.ended)
+    return bound
 
 
 class Rounds:
