@@ -32,11 +32,11 @@ from missiontree.scheduling.holding import order_held_roles
 from missiontree.scheduling.homing import home_too_late, never_home
 from missiontree.scheduling.impossible import budgets_exceeded, cycle_reason, group_needs, unreachable_places
 from missiontree.scheduling.mission_terms import required_in_vain, shared_by_all, shared_exceeded
-from missiontree.scheduling.neighbourhood.search import Regrouping, regrouped
+from missiontree.scheduling.neighbourhood.shortly import regroup_shortly
 from missiontree.scheduling.overlap import overlaps_of_one_robot
 from missiontree.scheduling.places import Places
 from missiontree.scheduling.precedence import task_graph
-from missiontree.scheduling.problem import Draft, Problem
+from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.recharging import never_enough
 from missiontree.scheduling.runs import MAX_RUNS, Runs
 from missiontree.scheduling.settling import settled
@@ -53,10 +53,6 @@ from missiontree.scheduling.writing import (
 FIRST_RUNS = 6  # before everything is tried out
 IN_VAIN = 12  # further runs that change nothing, after which it is taken that no way gets shorter
 FEW_STEPS = 1_000  # of trying everything out
-ROUNDS, ROUNDS_IN_ALL = (
-    200,
-    10_000,
-)  # of taking roles out of tours and putting them in again; the latter times the roles of the mission
 
 
 def greedy(
@@ -80,7 +76,7 @@ def greedy(
     else:
         before = runs.best
         runs.go(MAX_RUNS)
-        _regroup(runs, control)
+        regroup_shortly(runs, control)
         if runs.best is not None and (before is None or runs.best.makespan < before.makespan):
             proof = _tried(runs, control)
     runs.refill_for_tours()
@@ -89,19 +85,6 @@ def greedy(
     if proof is not None:
         return no_schedule(alternative, proof, runs.failures)
     return unknown_schedule(problem, alternative, runs.failures)
-
-
-def _regroup(runs: Runs, control: Control) -> None:
-    """Search large neighbourhoods of the best draft for a moment, with the same steps every time."""
-    rounds = min(ROUNDS, ROUNDS_IN_ALL // max(1, len(runs.problem.graph.roles)))
-    if runs.best is None or runs.shortest or not rounds:
-        return
-
-    def told(draft: Draft) -> None:
-        runs.best = draft
-        runs.tell()
-
-    runs.best = regrouped(runs.problem, runs.best, Regrouping(control.seed, rounds), control.ended, told)
 
 
 def _tried(runs: Runs, control: Control) -> Certificate | None:

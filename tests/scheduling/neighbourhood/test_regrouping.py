@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from random import Random
 
@@ -21,7 +20,7 @@ from missiontree.mission.terms import Terms
 from missiontree.planner import plan_request
 from missiontree.scheduling.course import Course, along
 from missiontree.scheduling.greedy import read_problem
-from missiontree.scheduling.neighbourhood import search
+from missiontree.scheduling.neighbourhood import search, shortly
 from missiontree.scheduling.neighbourhood.network import Network
 from missiontree.scheduling.neighbourhood.stops import stops_of
 from missiontree.scheduling.problem import Draft, Problem
@@ -131,9 +130,7 @@ def test_a_large_mission_gets_shorter_and_passes_the_checker(
     """30 goals: large neighbourhoods are searched, and each step on the way down is told of."""
     file = write_mission(tmp_path, 30, 9, 4)
     with monkeypatch.context() as without:
-        without.setattr(
-            sys.modules["missiontree.scheduling.greedy"], "ROUNDS", 0
-        )  # the package names its function so, too
+        without.setattr(shortly, "ROUNDS", 0)
         plain = plan_request(request_from(file, k=1), Control())
     news: list[Progress] = []
     made = plan_request(request_from(file, k=1, scheduler=name), Control(clock=lambda: 0.0, report=news.append))

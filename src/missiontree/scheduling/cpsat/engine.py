@@ -18,6 +18,7 @@ from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.scheduling.cpsat.improving import MANY_ROLES, Improving
 from missiontree.scheduling.cpsat.settings import Settings
 from missiontree.scheduling.greedy import read_problem
+from missiontree.scheduling.neighbourhood.shortly import ROUNDS_IN_ALL
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.runs import MAX_RUNS, Runs
 from missiontree.scheduling.settling import settled
@@ -28,7 +29,7 @@ GREEDY_RUNS = 6  # in missions of few roles, for which the solver does more; in 
 CPSAT = Settings(longest_s=30.0)
 """Half a minute for each alternative, at most."""
 AUTO = Settings(
-    longest_s=1.0, largest=20_000, deterministic=True, tidy=False, last_steps=4_000, regrouping=8_000, spanned=0
+    longest_s=1.0, largest=20_000, deterministic=True, tidy=False, last_steps=4_000, regrouping=ROUNDS_IN_ALL, spanned=0
 )
 """A second at most, and the same answer every time."""
 

@@ -125,8 +125,9 @@ class Improving:
         def over() -> bool:
             return self._control.clock() >= turn or self._over()
 
-        search = Regrouping(self._control.seed, rounds, patient)
-        self._best = regrouped(self._problem, self._best, search, over, self._shorter)
+        short = given is not None and not patient  # the rounds alone limit it then, for the same answer every time
+        search, until = Regrouping(self._control.seed, rounds, patient), self._control.ended if short else over
+        self._best = regrouped(self._problem, self._best, search, until, self._shorter)
 
     def _shorter(self, draft: Draft) -> None:
         self._tell(self._bound, draft.makespan)
