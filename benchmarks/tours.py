@@ -46,8 +46,19 @@ class Size(NamedTuple):
 
     @classmethod
     def parse(cls, text: str) -> Size:
-        """From ``20x2`` or, with the way home, ``20x2h``."""
-        places, robots = text.removesuffix("h").split("x")
+        """
+        From ``20x2`` or, with the way home, ``20x2h``.
+
+        Raises
+        ------
+        ArgumentTypeError
+            If it is something else, or there is no place or no robot.
+        """
+        places, _, robots = text.removesuffix("h").partition("x")
+        if not (places.isdecimal() and robots.isdecimal() and int(places) and int(robots)):
+            raise argparse.ArgumentTypeError(
+                f"found {text!r}; places x robots are wanted, such as 20x2, or 20x2h if they return home"
+            )
         return cls(int(places), int(robots), text.endswith("h"))
 
 
