@@ -8,7 +8,7 @@ from benchmarks.random_trees import Case
 from benchmarks.tied_budget import tied_mission
 from missiontree.allocation.core import Core, core_of
 from missiontree.allocation.coupling import couples
-from missiontree.allocation.exchanges import exchanges, improved, near_pairs, neighbours, repaired
+from missiontree.allocation.exchanges import Around, improved, near_pairs, neighbours, repaired
 from missiontree.allocation.exhaustive import Exhaustive
 from missiontree.allocation.feasibility import Feasibility
 from missiontree.allocation.flat import Flat, flatten
@@ -79,7 +79,8 @@ def test_improvement_uses_what_is_left() -> None:
     _, core, purses, _ = parts(*tied_mission(5, {"a": 3}))
     advised = cheapest(core, 1_000_000)  # at a price of 1 for each use nobody takes a
     way = core.way_under(len(core) - 1, advised)[0]
-    assert [(entry.gain, entry.change) for entry in exchanges(core, way, advised)] == [(100_000, {0: 1})] * 5
+    around = Around(core, purses, advised, way)
+    assert [(entry.gain, entry.change) for entry in around.exchanges()] == [(100_000, {0: 1})] * 5
     better = improved(core, purses, way, advised, lambda: False)
     assert core.way_under(len(core) - 1, better)[1:] == (4_800_000, {0: 3})
     assert improved(core, purses, way, advised, lambda: True) == way

@@ -7,7 +7,7 @@ Children come before parents, and the last part is the whole mission.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from missiontree.allocation.flat import Flat
@@ -82,8 +82,6 @@ class Core:
 
     def way_under(self, top: int, picked: Sequence[int] | Way) -> tuple[Way, int, dict[int, int]]:
         """The way that takes the picked options below a part: its picks, its utility, its use by purse."""
-        if not self.options[top] and not self.parts[top]:  # as most options are
-            return {}, self.utility[top], dict(self.uses[top])
         way, utility, used = Way(), 0, dict[int, int]()
         stack = [top]
         while stack:
@@ -98,10 +96,64 @@ class Core:
                     used[purse] = used.get(purse, 0) + amount
         return way, utility, used
 
+    def picks_under(self, top: int, picked: Sequence[int] | Way) -> Way:
+        """The picks of the way that takes the picked options below a part."""
+        way, stack = Way(), [top]
+        while stack:
+            part = stack.pop()
+            if self.options[part]:
+                way[part] = picked[part]
+                stack.append(self.options[part][picked[part]].part)
+            else:
+                stack += self.parts[part]
+        return way
+
+    def sums(self) -> Sums:
+        """What there is below parts that have no choice among or below them; of others, nothing yet."""
+        inner = [part for part, options in enumerate(self.options) if options or self.parts[part]]
+        return Sums(self, inner, list(self.utility), [dict(uses) for uses in self.uses])
+
     def taken(self, way: Way) -> dict[int, int]:
         """Position of the chosen child by XOR node."""
         options = (self.options[pick][index] for pick, index in way.items())
         return self.forced | {option.xor: option.place for option in options}
+
+
+@dataclass(frozen=True, slots=True)
+class Sums:
+    """
+    Utility and use below every part, of ways that take picked options.
+
+    Parameters
+    ----------
+    core
+        What there is to choose.
+    inner
+        The parts that are not settled.
+    utility, used
+        By part; use by purse.
+    """
+
+    core: Core
+    inner: Sequence[int]
+    utility: list[int]
+    used: list[Mapping[int, int]]
+
+    def under(self, picked: Sequence[int]) -> Sums:
+        """The same for other picked options, for all parts in one go."""
+        core, utility, used = self.core, self.utility.copy(), self.used.copy()
+        for part in self.inner:
+            if options := core.options[part]:
+                below = options[picked[part]].part
+                utility[part], used[part] = utility[below], used[below]
+                continue
+            earned, total = core.utility[part], dict(core.uses[part])
+            for below in core.parts[part]:
+                earned += utility[below]
+                for purse, amount in used[below].items():
+                    total[purse] = total.get(purse, 0) + amount
+            utility[part], used[part] = earned, total
+        return Sums(core, self.inner, utility, used)
 
 
 @dataclass(slots=True)

@@ -9,8 +9,8 @@ purses advise.
 from __future__ import annotations
 
 import heapq
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
+from typing import NamedTuple
 
 from missiontree.allocation.core import Core, Way
 from missiontree.allocation.purses import Purses
@@ -19,8 +19,7 @@ MAX_PASSES = 20
 MOST_PAIRED = 200  # exchanges that are combined two by two
 
 
-@dataclass(frozen=True, slots=True)
-class Exchange:
+class Exchange(NamedTuple):
     """
     One other option at one pick.
 
@@ -32,124 +31,79 @@ class Exchange:
         Of utility, in millionths.
     change
         Of use, by purse.
-    way
-        The picks below it then.
-    dropped
-        The picks that are reached no more.
     """
 
     pick: int
     option: int
     gain: int
     change: Mapping[int, int]
-    way: Way
-    dropped: frozenset[int]
-
-    def applied(self, way: Way) -> Way:
-        """The way after the exchange."""
-        kept = {pick: option for pick, option in way.items() if pick not in self.dropped}
-        return {**kept, self.pick: self.option, **self.way}
 
 
-def exchanges(core: Core, way: Way, advised: Sequence[int]) -> Iterator[Exchange]:
-    """All exchanges of a way; new picks take the advised options."""
-    for pick, taken in sorted(way.items()):
-        before, utility, used = core.way_under(core.options[pick][taken].part, way)
-        dropped = frozenset(before)
-        for index, option in enumerate(core.options[pick]):
-            if index != taken:
-                after, other_utility, other_used = core.way_under(option.part, advised)
-                change = {
-                    purse: other_used.get(purse, 0) - used.get(purse, 0) for purse in (used.keys() | other_used.keys())
-                }
-                yield Exchange(pick, index, other_utility - utility, change, after, dropped)
-
-
-def repaired(core: Core, purses: Purses, advised: Sequence[int]) -> Way | None:
-    """The advised way after exchanges that keep every purse; None if passes do not suffice."""
-    way, _, used = core.way_under(len(core) - 1, advised)
-    state = _State(purses, used)
-    for _ in range(MAX_PASSES):
-        if state.fits({}):
-            return way
-        rated = sorted(
-            (-exchange.gain / relief, exchange.pick, exchange.option, exchange)
-            for exchange in exchanges(core, way, advised)
-            if (relief := state.relief(exchange.change)) > 0
-        )
-        changed = state.apply(way, [exchange for *_, exchange in rated], repairing=True)
-        if changed == way:
-            return None
-        way = changed
-    return way if state.fits({}) else None
-
-
-def improved(core: Core, purses: Purses, way: Way, advised: Sequence[int], ended: Callable[[], bool]) -> Way:
-    """The way after exchanges that gain utility and keep every purse, until there are none, or somebody says stop."""
-    state = _State(purses, core.way_under(len(core) - 1, way)[2])
-    for _ in range(MAX_PASSES):
-        if ended():
-            break
-        better = [entry for entry in exchanges(core, way, advised) if entry.gain > 0 and state.fits(entry.change)]
-        better.sort(key=lambda exchange: (-exchange.gain, exchange.pick, exchange.option))
-        if not better:
-            break
-        way = state.apply(way, better, repairing=False)
-    return way
-
-
-def neighbours(core: Core, purses: Purses, way: Way, advised: Sequence[int]) -> list[Way]:
-    """All ways one exchange away that keep every purse, best first."""
-    state = _State(purses, core.way_under(len(core) - 1, way)[2])
-    near = [entry for entry in exchanges(core, way, advised) if state.fits(entry.change)]
-    near.sort(key=lambda exchange: (-exchange.gain, exchange.pick, exchange.option))
-    return [exchange.applied(way) for exchange in near]
-
-
-def near_pairs(
-    core: Core, purses: Purses, way: Way, advised: Sequence[int], prices: Sequence[float], count: int
-) -> list[Way]:
+class Around:
     """
-    Ways two exchanges away that keep every purse: so many of the best, best first.
+    A way and the exchanges at its picks.
 
-    Only exchanges that lose least after prices are combined, and none inside another.
+    Parameters
+    ----------
+    core, purses
+        What there is to choose.
+    advised
+        Options by pick, that new picks take.
+    way
+        Where to begin. Default: what is advised.
     """
-    state = _State(purses, core.way_under(len(core) - 1, way)[2])
-    rated = [
-        (entry.gain - sum(prices[purse] * by for purse, by in entry.change.items()), entry)
-        for entry in exchanges(core, way, advised)
-    ]
-    rated.sort(key=lambda pair: (-pair[0], pair[1].pick, pair[1].option))
-    close = [entry for _, entry in rated[:MOST_PAIRED]]
-    best: list[tuple[int, int, int]] = []  # heap of gain, places (negative, so that earlier ones stay)
-    for place, one in enumerate(close):
-        for later in range(place + 1, len(close)):
-            other = close[later]
-            gain = one.gain + other.gain
-            if len(best) == count and gain <= best[0][0]:
+
+    def __init__(self, core: Core, purses: Purses, advised: Sequence[int], way: Way | None = None) -> None:
+        self.core, self.limits, self.advised = core, purses.limits, advised
+        self.fresh = self.sums = core.sums().under(advised)
+        if way is None:
+            self.way = core.picks_under(len(core) - 1, advised)
+        else:
+            self._be(way)
+        self.used = [self.sums.used[-1].get(purse, 0) for purse in range(len(self.limits))]
+
+    def _be(self, way: Way) -> None:
+        picked = list(self.advised)
+        for pick, option in way.items():
+            picked[pick] = option
+        self.way, self.sums = way, self.fresh.under(picked)
+
+    def exchanges(self, relieving: Set[int] | None = None) -> Iterator[Exchange]:
+        """All exchanges; only those at picks that take from one of some purses, if they are to relieve them."""
+        for pick in sorted(self.way):
+            options, taken = self.core.options[pick], self.way[pick]
+            part = options[taken].part
+            used = self.sums.used[part]
+            if relieving is not None and relieving.isdisjoint(used):
                 continue
-            if one.pick == other.pick or one.pick in other.dropped or other.pick in one.dropped:
-                continue
-            change = dict(one.change)
-            for purse, by in other.change.items():
-                change[purse] = change.get(purse, 0) + by
-            if state.fits_after(change):
-                (heapq.heappush if len(best) < count else heapq.heappushpop)(best, (gain, -place, -later))
-    return [close[-later].applied(close[-place].applied(way)) for _, place, later in sorted(best, reverse=True)]
+            for index, option in enumerate(options):
+                if index != taken:
+                    other = self.fresh.used[option.part]
+                    change = {purse: other.get(purse, 0) - used.get(purse, 0) for purse in used.keys() | other.keys()}
+                    gain = self.fresh.utility[option.part] - self.sums.utility[part]
+                    yield Exchange(pick, index, gain, change)
 
+    def dropped(self, pick: int) -> Way:
+        """The picks that are reached no more if something else is taken at this one."""
+        return self.core.picks_under(self.core.options[pick][self.way[pick]].part, self.way)
 
-class _State:
-    """What is taken from the purses so far."""
+    def reached(self, exchange: Exchange) -> Way:
+        """The picks that are reached below what is taken then."""
+        return self.core.picks_under(self.core.options[exchange.pick][exchange.option].part, self.advised)
 
-    def __init__(self, purses: Purses, used: Mapping[int, int]) -> None:
-        self.limits = purses.limits
-        self.used = [used.get(purse, 0) for purse in range(len(purses.limits))]
+    def after(self, exchange: Exchange) -> Way:
+        """The way after one exchange."""
+        gone = self.dropped(exchange.pick)
+        kept = {pick: option for pick, option in self.way.items() if pick not in gone}
+        return {**kept, exchange.pick: exchange.option, **self.reached(exchange)}
+
+    def overdrawn(self) -> set[int]:
+        """The purses that more is taken from than they hold."""
+        return {purse for purse, (used, limit) in enumerate(zip(self.used, self.limits, strict=True)) if used > limit}
 
     def fits(self, change: Mapping[int, int]) -> bool:
-        """Whether no purse is overdrawn after the change."""
-        if change:
-            return all(self.used[purse] + by <= self.limits[purse] for purse, by in change.items() if by > 0)
-        return all(used <= limit for used, limit in zip(self.used, self.limits, strict=True))
+        """Whether no purse that more is taken from is overdrawn after the change."""
+        return all(self.used[purse] + by <= self.limits[purse] for purse, by in change.items() if by > 0)
 
     def fits_after(self, change: Mapping[int, int]) -> bool:
         """Whether a way within the purses stays within them."""
@@ -163,21 +117,106 @@ class _State:
             for purse, by in change.items()
         )
 
-    def apply(self, way: Way, wanted: Sequence[Exchange], repairing: bool) -> Way:
-        """The way after all wanted exchanges that still help and do not stand inside one another."""
+    def move(self, wanted: Sequence[Exchange], repairing: bool) -> bool:
+        """Make all wanted exchanges that still help and do not stand inside one another; whether there were any."""
         gone, touched = set[int](), set[int]()
-        kept, new = dict(way), Way()
+        kept, new = dict(self.way), Way()
         for exchange in wanted:
-            if exchange.pick in gone or not exchange.dropped.isdisjoint(touched):
+            if exchange.pick in gone:
                 continue
             if self.relief(exchange.change) <= 0 if repairing else not self.fits(exchange.change):
+                continue
+            dropped = self.dropped(exchange.pick)
+            if not touched.isdisjoint(dropped):
                 continue
             for purse, by in exchange.change.items():
                 self.used[purse] += by
             touched.add(exchange.pick)
-            gone |= {exchange.pick, *exchange.dropped}
-            for pick in exchange.dropped:
+            gone |= {exchange.pick, *dropped}
+            for pick in dropped:
                 kept.pop(pick, None)
             kept[exchange.pick] = exchange.option
-            new.update(exchange.way)
-        return {**kept, **new}
+            new.update(self.reached(exchange))
+        if not touched:
+            return False
+        self._be({**kept, **new})
+        return True
+
+
+def repaired(core: Core, purses: Purses, advised: Sequence[int]) -> Way | None:
+    """The advised way after exchanges that keep every purse; None if passes do not suffice."""
+    around = Around(core, purses, advised)
+    for _ in range(MAX_PASSES):
+        overdrawn = around.overdrawn()
+        if not overdrawn:
+            return around.way
+        rated = [
+            (-exchange.gain / relief, exchange.pick, exchange.option, exchange)
+            for exchange in around.exchanges(overdrawn)
+            if (relief := around.relief(exchange.change)) > 0
+        ]
+        rated.sort(key=lambda entry: entry[:3])
+        if not around.move([exchange for *_, exchange in rated], repairing=True):
+            return None
+    return None if around.overdrawn() else around.way
+
+
+def improved(core: Core, purses: Purses, way: Way, advised: Sequence[int], ended: Callable[[], bool]) -> Way:
+    """The way after exchanges that gain utility and keep every purse, until there are none, or somebody says stop."""
+    if ended():
+        return way
+    around = Around(core, purses, advised, way)
+    for _ in range(MAX_PASSES):
+        better = [entry for entry in around.exchanges() if entry.gain > 0 and around.fits(entry.change)]
+        better.sort(key=lambda exchange: (-exchange.gain, exchange.pick, exchange.option))
+        if not around.move(better, repairing=False) or ended():
+            break
+    return around.way
+
+
+def neighbours(core: Core, purses: Purses, way: Way, advised: Sequence[int]) -> list[Way]:
+    """All ways one exchange away that keep every purse, best first."""
+    around = Around(core, purses, advised, way)
+    near = [entry for entry in around.exchanges() if around.fits(entry.change)]
+    near.sort(key=lambda exchange: (-exchange.gain, exchange.pick, exchange.option))
+    return [around.after(exchange) for exchange in near]
+
+
+def near_pairs(
+    core: Core, purses: Purses, way: Way, advised: Sequence[int], prices: Sequence[float], count: int
+) -> list[Way]:
+    """
+    Ways two exchanges away that keep every purse: so many of the best, best first.
+
+    Only exchanges that lose least after prices are combined, and none inside another.
+    """
+    around = Around(core, purses, advised, way)
+    rated = [
+        (entry.gain - sum(prices[purse] * by for purse, by in entry.change.items()), entry)
+        for entry in around.exchanges()
+    ]
+    rated.sort(key=lambda pair: (-pair[0], pair[1].pick, pair[1].option))
+    close = [entry for _, entry in rated[:MOST_PAIRED]]
+    dropped = {pick: around.dropped(pick) for pick in {entry.pick for entry in close}}
+    best: list[tuple[int, int, int]] = []  # heap of gain, places (negative, so that earlier ones stay)
+    for place, one in enumerate(close):
+        for later in range(place + 1, len(close)):
+            other = close[later]
+            gain = one.gain + other.gain
+            if len(best) == count and gain <= best[0][0]:
+                continue
+            if one.pick == other.pick or one.pick in dropped[other.pick] or other.pick in dropped[one.pick]:
+                continue
+            change = dict(one.change)
+            for purse, by in other.change.items():
+                change[purse] = change.get(purse, 0) + by
+            if around.fits_after(change):
+                (heapq.heappush if len(best) < count else heapq.heappushpop)(best, (gain, -place, -later))
+    return [_both(around, close[-place], close[-later]) for _, place, later in sorted(best, reverse=True)]
+
+
+def _both(around: Around, one: Exchange, other: Exchange) -> Way:
+    """The way after two exchanges, neither inside the other."""
+    gone = around.dropped(other.pick)
+    kept = {pick: option for pick, option in around.after(one).items() if pick not in gone}
+    return {**kept, other.pick: other.option, **around.reached(other)}

@@ -169,7 +169,7 @@ class _Road:
         elif self._plainly(settings.max_examined, settings.max_examined):
             return search.finished()
         limit = self._limit(rounds.nodes)
-        fill(search.pool, core, purses, rounds.start(), rounds.base.advised(), self.control)
+        fill(search.pool, core, purses, rounds.start(), rounds.advised, self.control)
         undecided = search.pool.undecided
         search.bound_by(rounds.bound if undecided is None or rounds.bound is None else max(rounds.bound, undecided))
         return search.stopped(limit)

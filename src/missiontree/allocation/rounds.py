@@ -11,6 +11,7 @@ Everything that decides is an integer, so a finished round is a proof.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 from math import log
 from typing import Literal
 
@@ -123,7 +124,7 @@ class Rounds:
         depth = max(self.scale.unit, (top - bottom) >> 16)
         if len(self.core) >= EARLY:
             # It takes long there, and nobody knows when time will be up.
-            look_around(self.pool, self.core, self.purses, self.start(), self.base.advised(), self.control)
+            look_around(self.pool, self.core, self.purses, self.start(), self.advised, self.control)
         while True:
             wanted = top - depth
             if self.pool.kth is not None:
@@ -139,6 +140,11 @@ class Rounds:
                 return True
             self.bound = min(top, wanted - 1)
             depth += max(self.scale.unit, int(depth * self._growth(wanted)))
+
+    @cached_property
+    def advised(self) -> list[int]:
+        """By pick, the index of the option that the best prices advise."""
+        return self.base.advised()
 
     def _growth(self, wanted: int) -> float:
         """How much deeper to go, as a share: the number of ways grows about exponentially with depth, so the more are there, the less."""
@@ -156,7 +162,7 @@ class Rounds:
                 self.core,
                 self.purses,
                 None if hurried else self._mended_at_first(),
-                self.base.advised(),
+                self.advised,
                 (self.base.advised(raised) for raised in RAISED),
                 self.base.true_prices(self.purses),
                 self.control,
