@@ -8,6 +8,7 @@ author. What counts is the makespan alone.
 from __future__ import annotations
 
 from pathlib import Path
+from typing import NamedTuple
 
 from missiontree.checking.coalitions import check_coalitions
 from missiontree.checking.columns import check_tree
@@ -33,6 +34,22 @@ ACCEPTED = "a flexible job shop (text), a mission of coalitions (JSON) or a tree
 Instance = TreeColumns | CoalitionMission
 
 
+class Recognised(NamedTuple):
+    """
+    An instance, and the form that its file has.
+
+    Parameters
+    ----------
+    form
+        In words.
+    instance
+        What it describes.
+    """
+
+    form: str
+    instance: Instance
+
+
 def read_instance(file: Path) -> Instance:
     """
     Read a file in any of the three forms, which it is recognised by.
@@ -42,14 +59,26 @@ def read_instance(file: Path) -> Instance:
     InputError
         If it has none of them, or is damaged: says where, what was found and what is accepted.
     """
+    return read_recognised(file).instance
+
+
+def read_recognised(file: Path) -> Recognised:
+    """
+    The same, and which form it was.
+
+    Raises
+    ------
+    InputError
+        As :func:`read_instance`.
+    """
     text = load_text(file)
     if looks_like_shop(text):
-        return shop_of(text, str(file))
+        return Recognised("flexible job shop", shop_of(text, str(file)))
     parsed = parse(text, str(file))
     if looks_like_coalitions(parsed.data):
-        return coalitions_of(parsed)
+        return Recognised("mission of coalitions", coalitions_of(parsed))
     if looks_like_tree(parsed.data):
-        return columns_of(parsed)
+        return Recognised("tree in columns", columns_of(parsed))
     raise InputError("this is no instance of a form that is known here", file=str(file), accepted=ACCEPTED)
 
 

@@ -27,7 +27,7 @@ def test_a_job_shop_is_told_with_its_proof_and_its_actions(shell: Shell, tmp_pat
     ran = shell("schedule", written(tmp_path, "shop.txt", SHOP))
     assert ran.code == 0
     lines = [" ".join(line.split()) for line in ran.out.splitlines()]
-    assert lines[0] == "shop.txt: 15 nodes, 8 leaves, 2 robots"
+    assert lines[0] == "shop.txt, read as a flexible job shop: 15 nodes, 8 leaves, 2 robots"
     assert lines[1].startswith("Makespan 4 s, optimal, confirmed by")
     assert "machine-0 2 4 100 %" in lines
     assert any(line.startswith("0 2 machine-0 Operation 1 of job") for line in lines)

@@ -79,6 +79,12 @@ def test_goals_and_a_tree_are_not_given_together() -> None:
         ("- {do: Search(keys), name: a}", "- {method: rescue, slots: {victim: 5}}", 4, "found 5"),
         ("- {do: Search(keys), name: a}", "- {do: Search(dog), gate: or}", 4, "found 'or'"),
         ("- {do: Search(keys), name: a}", "- {do: Search(dog), with: {x: y}}", 4, "a goal has no field 'with'"),
+        (
+            "- {do: Search(keys), name: a}",
+            "- {do: Reach(a, b)}",
+            4,
+            "a comma ends a value: put text that holds one in quotes",
+        ),
     ],
 )
 def test_what_the_file_shows_to_be_wrong_is_refused_with_its_line(

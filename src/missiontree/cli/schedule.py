@@ -58,7 +58,7 @@ def command(
     from time import perf_counter
 
     from missiontree.cli.schedule_view import Told, json_of, view_of
-    from missiontree.instances import read_instance, schedule_instance
+    from missiontree.instances import read_recognised, schedule_instance
 
     asked = Asked(gantt=gantt)
     refuse_impossible(asked)
@@ -68,7 +68,7 @@ def command(
     if solver and not _solver_there() and not as_json:
         remark("CP-SAT is not installed (pip install ortools), so it is not asked", colour)
     with seldom_collected():
-        instance = read_instance(file)
+        form, instance = read_recognised(file)
         started = perf_counter()
         line = LiveLine(as_json)
         with controlled(time_limit, seed or 0, line.report) as control:
@@ -78,7 +78,7 @@ def command(
             elapsed = perf_counter() - started
             hurried = control.stop() or (time_limit < SHORT_S and control.ended())
             plan = _as_plan(instance, schedule, file.name, drawn=gantt is not None, hurried=hurried)
-            told = Told(instance, schedule, file.name, seed or 0, time_limit, elapsed, plan)
+            told = Told(form, instance, schedule, file.name, seed or 0, time_limit, elapsed, plan)
             if as_json:
                 typer.echo(json_of(told), nl=False)
             else:

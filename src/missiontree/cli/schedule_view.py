@@ -32,6 +32,8 @@ class Told(NamedTuple):
 
     Parameters
     ----------
+    form
+        Of the file, in words.
     instance, schedule
         What was asked, and the answer.
     source
@@ -44,6 +46,7 @@ class Told(NamedTuple):
         The schedule as a plan; None (default) if nothing is scheduled, or more than is looked at in passing.
     """
 
+    form: str
     instance: Instance
     schedule: TreeSchedule | CoalitionSchedule
     source: str
@@ -82,7 +85,7 @@ def view_of(told: Told) -> Group:
 
 def _sections(told: Told) -> Iterator[RenderableType]:
     schedule = told.schedule
-    yield words(f"{told.source}: {_size(told.instance)}", "dim")
+    yield words(f"{told.source}, read as a {told.form}: {_size(told.instance)}", "dim")
     certificate = schedule.certificate
     if schedule.status == "infeasible":
         yield words(f"Cannot be done, {_known(told)}: {certificate.detail}", "bold")
@@ -216,6 +219,7 @@ def json_of(told: Told) -> str:
     schedule = told.schedule
     certificate = schedule.certificate
     head: dict[str, object] = {
+        "form": told.form,
         "status": schedule.status,
         "known": _known(told),
         "makespan_s": schedule.makespan_s,

@@ -15,6 +15,7 @@ from missiontree.formats.place import NOWHERE, Path, found, quoted, where
 from missiontree.formats.scalar import plain_scalar
 
 _LONGEST = 400
+_COMMA = "Between { and } a comma ends a value: put text that holds one in quotes."
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,7 @@ class Fault:
             f"{a_noun(owner)} has no field {quoted(name)}",
             self.path,
             f"the fields {', '.join(hints_of(owner))}",
-            nearest(name, tuple(hints_of(owner))),
+            nearest(name, tuple(hints_of(owner))) or (_COMMA if self.data is None else ""),
         )
 
     def _missing(self, parsed: Parsed) -> InputError:
