@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import pytest
 
-from missiontree.cli.main import main
+from missiontree.cli.main import command_line
 
 
 class Ran(NamedTuple):
@@ -27,9 +27,6 @@ class Shell:
     def __call__(self, *arguments: str) -> Ran:
         self._monkeypatch.setattr(sys, "argv", ["missiontree", *arguments])
         self._capsys.readouterr()
-        with pytest.raises(SystemExit) as ended:
-            main()
+        code = command_line()
         captured = self._capsys.readouterr()
-        code = ended.value.code
-        assert isinstance(code, int)
         return Ran(code, captured.out, captured.err)

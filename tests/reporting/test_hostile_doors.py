@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from missiontree.cli.main import main
+from missiontree.cli.main import command_line
 from missiontree.evaluation.evaluation import Evaluation
 from missiontree.evaluation.page import page
 from missiontree.evaluation.plain import plain_evaluation
@@ -40,13 +40,11 @@ class Shell:
 
     def __call__(self, *arguments: str) -> tuple[int, str]:
         self._monkeypatch.setattr(sys, "argv", ["missiontree", *arguments])
-        with pytest.raises(SystemExit) as ended:
-            main()
+        code = command_line()
         printed = self._capsys.readouterr()
         check_terminal(printed.out)
         check_terminal(printed.err)
-        assert isinstance(ended.value.code, int)
-        return ended.value.code, printed.out
+        return code, printed.out
 
 
 @pytest.fixture

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from enum import IntEnum
+from errno import EDQUOT, EFBIG, EIO, ENOSPC
 
 from missiontree.errors import InputError
 
@@ -33,6 +34,10 @@ OUTCOMES = {
 }
 
 
+UNWRITABLE = {ENOSPC, EDQUOT, EFBIG, EIO}
+"""What a full or broken disk answers whoever writes to it."""
+
+
 def guarded(command: Callable[[], int], debug: bool) -> int:
     """Run a command; bad input, an interruption and a fault of our own each end in words and a code, never in a traceback."""
     try:
@@ -43,10 +48,15 @@ def guarded(command: Callable[[], int], debug: bool) -> int:
     except KeyboardInterrupt:
         _say("interrupted; there is nothing to keep.")
         return Exit.INTERRUPTED
+    except SystemExit as ended:  # all is said
+        return ended.code if isinstance(ended.code, int) else Exit.DELIVERED
     except BrokenPipeError:
         sys.stderr.close()  # the reader has gone; Python would complain about the pipe once more on its way out
         return Exit.DELIVERED
     except Exception as error:
+        if isinstance(error, OSError) and error.errno in UNWRITABLE:
+            _say(f"the output cannot be written: {error.strerror}")
+            return Exit.BAD_INPUT
         if debug:
             raise
         _say(_report(error))

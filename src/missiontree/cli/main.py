@@ -6,7 +6,7 @@ import signal
 import sys
 from collections.abc import Callable
 from functools import cache
-from typing import Annotated, Any
+from typing import Annotated, Any, NoReturn
 
 import typer
 from typer.main import get_command
@@ -30,6 +30,7 @@ from missiontree.cli import (
 from missiontree.cli.ending import end
 from missiontree.cli.exits import Exit, guarded
 from missiontree.cli.interrupt import interrupts
+from missiontree.cli.screen import be_heard_or_not
 from missiontree.errors import InputError
 
 JARGON = {
@@ -76,11 +77,16 @@ def options(
     """Take the options that stand before the command."""
 
 
-def main() -> None:
-    """Entry point of the command ``missiontree``."""
+def main() -> NoReturn:
+    """Entry point of the command ``missiontree``: the process ends with it."""
+    be_heard_or_not()
+    end(command_line())
+
+
+def command_line() -> int:
+    """What stands on the command line, and its exit code."""
     signal.signal(signal.SIGTERM, interrupts)
-    code = guarded(_run, debug="--debug" in sys.argv)
-    end(code)
+    return guarded(_run, debug="--debug" in sys.argv)
 
 
 def _plainly(message: str) -> str:
@@ -109,4 +115,5 @@ def _run() -> int:
         raise KeyboardInterrupt from error
     if code == Exit.INTERRUPTED:  # the parser turns an interruption into a code before anybody is told
         raise KeyboardInterrupt
+    sys.stdout.flush()
     return code if isinstance(code, int) else Exit.DELIVERED

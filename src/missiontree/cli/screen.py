@@ -12,6 +12,12 @@ if TYPE_CHECKING:
 PIPE_WIDTH = 100
 
 
+def be_heard_or_not() -> None:
+    """Where a stream was closed before the start, Python has none; then nobody hears what is said, and that is no fault."""
+    sys.stdout = sys.stdout or open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 - open to the end
+    sys.stderr = sys.stderr or open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 - open to the end
+
+
 def show(view: RenderableType, colour: bool | None = None) -> None:
     """Print an answer; colour as the terminal can, unless told. Into a file or a pipe it is plain text of fixed width."""
     if colour or (colour is None and sys.stdout.isatty() and not os.environ.get("NO_COLOR")):
