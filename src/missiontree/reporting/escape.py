@@ -25,6 +25,8 @@ def terminal_safe(text: str) -> str:
     Line feeds stay; other white space that breaks lines becomes a blank. The joiners that Persian, Hindi or emoji are written
     with stay. Half a surrogate pair becomes U+FFFD, so that the text can always be encoded.
     """
+    if text.isascii() and text.isprintable():  # as most names are
+        return text
     plain = _ANSI.sub("", text.replace("\r\n", "\n"))
     return "".join(shown for character in plain if (shown := _shown(character)))
 

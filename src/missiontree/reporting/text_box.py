@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from itertools import islice, pairwise
 from math import inf
 
@@ -32,9 +33,10 @@ def text_width(text: str, size: float) -> float:
     size
         Font size; the width is in the same unit.
     """
-    return sum(_character_width(character) for character in text) * size
+    return sum(map(_character_width, text)) * size
 
 
+@lru_cache(maxsize=4096)
 def _character_width(character: str) -> float:
     if (width := _WIDTHS.get(character)) is not None:
         return width

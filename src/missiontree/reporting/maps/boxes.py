@@ -48,11 +48,11 @@ def cell_of(x: float, y: float) -> Cell:
     return math.floor(x / _CELL), math.floor(y / _CELL)
 
 
-def cells(box: Box) -> Iterator[Cell]:
+def cells(box: Box) -> list[Cell]:
     """The cells that a rectangle touches."""
-    for column in range(math.floor(box.left / _CELL), math.floor(box.right / _CELL) + 1):
-        for row in range(math.floor(box.top / _CELL), math.floor(box.bottom / _CELL) + 1):
-            yield column, row
+    rows = range(math.floor(box.top / _CELL), math.floor(box.bottom / _CELL) + 1)
+    columns = range(math.floor(box.left / _CELL), math.floor(box.right / _CELL) + 1)
+    return [(column, row) for column in columns for row in rows]
 
 
 def steps(start: Point, end: Point) -> Iterator[Point]:

@@ -110,9 +110,15 @@ class Ground:
 
     def free(self, box: Box) -> bool:
         """Whether a label may stand there."""
-        if not box.within(self._bounds):
-            return False
-        return not any(box.meets(other) for cell in cells(box) for other in self._taken.get(cell, ()))
+        return box.within(self._bounds) and not self._meets_what_is_taken(box)
+
+    def _meets_what_is_taken(self, box: Box, mark: Box | None = None) -> bool:
+        """Whether anything stands there, but for one mark."""
+        for cell in cells(box):
+            for other in self._taken.get(cell, ()):
+                if box.meets(other) and other != mark:
+                    return True
+        return False
 
     def places(self, mark: Box, width: float, height: float, farthest: float) -> Iterator[Placed]:
         """
@@ -171,11 +177,7 @@ class Ground:
 
     def _clear(self, start: Point, end: Point, mark: Box) -> bool:
         """Whether a leader crosses nothing that is taken."""
-        for x, y in steps(start, end):
-            box = _stroke(x, y)
-            if any(box.meets(other) for cell in cells(box) for other in self._taken.get(cell, ()) if other != mark):
-                return False
-        return True
+        return not any(self._meets_what_is_taken(_stroke(x, y), mark) for x, y in steps(start, end))
 
 
 def _round(mark: Box, width: float, height: float, ring: float) -> Iterator[tuple[Box, float]]:
