@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import pytest
 from hypothesis import given, settings
 
+from benchmarks.allocation_agreement import numbered_case
 from benchmarks.random_trees import Case
 from benchmarks.tied_budget import tied_mission
 from missiontree.allocation import searched
@@ -93,6 +94,23 @@ def test_prices_sought_a_step_at_a_time_are_the_same(case: Case) -> None:
         patch.setitem(searched.PRICED_IN_ONE_GO, False, 1)
         bound = pieces.price()
     assert (bound, pieces.prices) == (whole.price(), whole.prices)
+
+
+def test_what_is_advised_is_an_option_also_where_no_way_leads() -> None:
+    """Picks that hang in subtrees which cannot be done are parts, too; nobody looks at them when prices are sought."""
+    unled = 0
+    for index in range(60):
+        case = numbered_case(2026, index)
+        problem = boiled(case.tree, case.fleet, case.weights)
+        if problem is None or not problem.purses.names:
+            continue
+        core, search = problem.core, problem.searched(deep=False)
+        search.price()
+        advised = search.advised()
+        assert all(advised[pick] in range(len(options)) for pick, options in enumerate(core.options) if options)
+        reached = core.picks_under(len(core) - 1, advised)
+        unled += any(options and pick not in reached for pick, options in enumerate(core.options))
+    assert unled
 
 
 def test_nobody_waits_longer_for_prices_than_it_takes_to_look_at_so_many_parts(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -235,13 +235,16 @@ class Searched:
         return self.candidate()
 
     def advised(self, per_cent: int = 100) -> list[int]:
-        """By pick, the index of the option that so many per cent of the prices advise."""
+        """By pick, the index of the option that so many per cent of the prices advise; of picks that no way reaches, the first."""
         self._take_back()
         self.engine.reach(self.tree, self.room)
         prices = self.engine.column([int(price) * per_cent // 100 for price in self.room.prices])
         self.engine.sweep(self.tree, self.room, prices)
         taken, first = self.room.taken, self.tree.first
-        return [int(taken[part]) - int(first[part]) if options else 0 for part, options in enumerate(self.core.options)]
+        places = (int(taken[part]) - int(first[part]) for part in range(len(self.core)))
+        return [
+            place if 0 <= place < len(options) else 0 for place, options in zip(places, self.core.options, strict=True)
+        ]
 
     def _way(self, taken: Sequence[int]) -> Way:
         way, stack = Way(), [len(self.core) - 1]
