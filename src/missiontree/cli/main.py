@@ -84,7 +84,7 @@ def main() -> NoReturn:
 
 
 def command_line() -> int:
-    """What stands on the command line, and its exit code."""
+    """Do what stands on the command line; its exit code. The process goes on, as tests and profilers want it."""
     signal.signal(signal.SIGTERM, interrupts)
     return guarded(_run, debug="--debug" in sys.argv)
 
