@@ -7,7 +7,7 @@ Children come before parents, and the last part is the whole mission.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from missiontree.allocation.flat import Flat
@@ -80,17 +80,24 @@ class Core:
         for column in (self.utility, self.uses, self.parts, self.options):
             del column[top + 1 :]
 
-    def way_under(self, top: int, picked: Sequence[int] | Way) -> tuple[Way, int, dict[int, int]]:
-        """The way that takes the picked options below a part: its picks, its utility, its use by purse."""
-        way, utility, used = Way(), 0, dict[int, int]()
+    def parts_under(self, top: int, picked: Sequence[int] | Way) -> Iterator[int]:
+        """The parts that the way which takes the picked options reaches from a part, that one first."""
         stack = [top]
         while stack:
             part = stack.pop()
-            if self.options[part]:
-                way[part] = picked[part]
-                stack.append(self.options[part][picked[part]].part)
+            yield part
+            if options := self.options[part]:
+                stack.append(options[picked[part]].part)
             else:
                 stack += self.parts[part]
+
+    def way_under(self, top: int, picked: Sequence[int] | Way) -> tuple[Way, int, dict[int, int]]:
+        """The way that takes the picked options below a part: its picks, its utility, its use by purse."""
+        way, utility, used = Way(), 0, dict[int, int]()
+        for part in self.parts_under(top, picked):
+            if self.options[part]:
+                way[part] = picked[part]
+            else:
                 utility += self.utility[part]
                 for purse, amount in self.uses[part]:
                     used[purse] = used.get(purse, 0) + amount
@@ -98,15 +105,7 @@ class Core:
 
     def picks_under(self, top: int, picked: Sequence[int] | Way) -> Way:
         """The picks of the way that takes the picked options below a part."""
-        way, stack = Way(), [top]
-        while stack:
-            part = stack.pop()
-            if self.options[part]:
-                way[part] = picked[part]
-                stack.append(self.options[part][picked[part]].part)
-            else:
-                stack += self.parts[part]
-        return way
+        return {part: picked[part] for part in self.parts_under(top, picked) if self.options[part]}
 
     def sums(self) -> Sums:
         """What there is below parts that have no choice among or below them; of others, nothing yet."""

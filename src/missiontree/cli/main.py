@@ -30,7 +30,7 @@ from missiontree.cli import (
 from missiontree.cli.ending import end
 from missiontree.cli.exits import Exit, guarded
 from missiontree.cli.interrupt import interrupts
-from missiontree.cli.screen import be_heard_or_not
+from missiontree.cli.screen import open_missing_streams
 from missiontree.errors import InputError
 
 JARGON = {
@@ -79,7 +79,7 @@ def options(
 
 def main() -> NoReturn:
     """Entry point of the command ``missiontree``: the process ends with it."""
-    be_heard_or_not()
+    open_missing_streams()
     end(command_line())
 
 

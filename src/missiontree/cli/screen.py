@@ -12,8 +12,8 @@ if TYPE_CHECKING:
 PIPE_WIDTH = 100
 
 
-def be_heard_or_not() -> None:
-    """Where a stream was closed before the start, Python has none; then nobody hears what is said, and that is no fault."""
+def open_missing_streams() -> None:
+    """Where a stream was closed before the start, Python has none: put one in its place that nobody hears, for that is no fault."""
     sys.stdout = sys.stdout or open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 - open to the end
     sys.stderr = sys.stderr or open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 - open to the end
 
