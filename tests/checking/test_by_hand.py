@@ -10,119 +10,33 @@ import pytest
 from missiontree.checking import check, taken_on_trust
 from missiontree.checking.case import Case
 from missiontree.checking.lower_bound import least_makespan
-from missiontree.formats.inputs import input_digests
-from missiontree.mission.alternative import Alternative, Assignment, Choice, Ranking, RoleType
-from missiontree.mission.brief import MissionBrief
+from missiontree.mission.alternative import Choice
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.charger import Charger
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, Robot, RobotType
-from missiontree.mission.grounded import GroundedTree, Grounding
 from missiontree.mission.limit_use import LimitUse
-from missiontree.mission.plan import Plan, Provenance
-from missiontree.mission.position import Position
+from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
-from missiontree.mission.scene import Scene
-from missiontree.mission.schedule import Recharge, Schedule, ScheduledAction, TravelLeg
+from missiontree.mission.schedule import Recharge, Schedule
 from missiontree.mission.shared_resource import SharedResource
 from missiontree.mission.tree import LinkKind
-from missiontree.routines.library import built_in
 from tests.builders import and_, grounded, leaf, xor_
-
-PROVEN = Certificate(claim="proven", method="enumeration")
-BOUNDED = Certificate(claim="bounded", method="critical_path", bound=0.0)
-HERE, THERE, FAR = Position(0, 0), Position(10, 0), Position(10, 20)
-SCENE = Scene(
-    places=(Entity(id="there", kind="place", position=THERE), Entity(id="far", kind="place", position=FAR)),
-    entities=(Entity(id="box", position=THERE, max_speed_mps=1.0),),
+from tests.checking.by_hand import (
+    FAR,
+    HERE,
+    PROVEN,
+    SCENE,
+    THERE,
+    by_start,
+    guessing,
+    leg,
+    only,
+    plan_of,
+    rules,
+    team,
+    times,
 )
-
-
-def team(count: int = 2, **changes: Any) -> Fleet:
-    """Robots r-1, r-2, ... at the origin, 2 m/s."""
-    fields: dict[str, Any] = {
-        "capabilities": {"any": 1.0},
-        "limits": {"max_speed_mps": 2.0},
-        "position": HERE,
-        **changes,
-    }
-    return Fleet((RobotType(id="r", count=count, **fields),))
-
-
-def times(*spans: tuple[int, str, float, float]) -> tuple[ScheduledAction, ...]:
-    """Scheduled actions from (leaf, robot, start, end)."""
-    made = (ScheduledAction(leaf=leaf, robot=robot, start_s=start, end_s=end) for leaf, robot, start, end in spans)
-    return tuple(sorted(made, key=lambda done: (done.start_s, done.leaf)))
-
-
-def leg(
-    leaf: int, start_s: float, end_s: float, origin: Position, goal: Position, metres: float, robot: str = "r-1"
-) -> TravelLeg:
-    return TravelLeg(
-        robot=robot, leaf=leaf, start_s=start_s, end_s=end_s, origin=origin, destination=goal, distance_m=metres
-    )
-
-
-def plan_of(
-    tree: GroundedTree,
-    actions: tuple[ScheduledAction, ...],
-    *legs: TravelLeg,
-    fleet: Fleet | None = None,
-    scene: Scene | None = None,
-    uses: tuple[LimitUse, ...] = (),
-) -> Plan:
-    """A plan of a tree without choices, whose roles go to the robots that the actions name."""
-    brief = MissionBrief(text="By hand", fleet=fleet or team(), routines=built_in(), scene=scene)
-    utility = sum(node.action.estimate.quality for node in tree.nodes if node.action is not None)
-    robots = {tree.action(done.leaf).role: done.robot for done in actions}
-    alternative = Alternative(
-        rank=1,
-        utility=utility,
-        choices=(),
-        roles=tuple(RoleType(role, "r") for role in sorted(robots)),
-        uses=uses,
-        certificate=PROVEN,
-    )
-    schedule = Schedule(
-        rank=1,
-        status="feasible",
-        certificate=BOUNDED,
-        assignments=tuple(Assignment(role, robots[role]) for role in sorted(robots)),
-        actions=actions,
-        legs=legs,
-        makespan_s=max(done.end_s for done in actions),
-    )
-    return Plan(
-        outcome="delivered",
-        brief=brief,
-        grounding=Grounding(tree=tree),
-        ranking=Ranking(alternatives=(alternative,), status="exact", certificate=PROVEN),
-        schedules=(schedule,),
-        digests=input_digests(brief, None),
-        provenance=Provenance(author="given"),
-    )
-
-
-def guessing(plan: Plan, *names: str) -> Plan:
-    """The plan with an assumption about each robot or type, in its schedule and in its own list."""
-    said = tuple(
-        Reason(rule="unknown", message=f"Something of {name} is not known.", severity="assumption", robot=name)
-        for name in names
-    )
-    schedules = tuple(replace(schedule, assumptions=said) for schedule in plan.schedules)
-    return replace(plan, schedules=schedules, assumptions=said)
-
-
-def only(plan: Plan) -> Reason:
-    """The one finding."""
-    findings = check(plan)
-    assert len(findings) == 1, [finding.rule for finding in findings]
-    return findings[0]
-
-
-def rules(plan: Plan) -> list[str]:
-    return [finding.rule for finding in check(plan)]
-
 
 # Nodes are numbered in preorder: the AND is 0, its leaves 1, 2, ...
 TWO = grounded(and_(leaf("a", duration_s=3), leaf("b", duration_s=4)))
@@ -267,10 +181,6 @@ BROUGHT = times((1, "r-1", 5, 6), (2, "r-1", 6, 26), (3, "r-2", 26, 28))
 TO_BOX, WITH_BOX = leg(1, 0, 5, HERE, THERE, 10), leg(2, 6, 26, THERE, FAR, 20)
 # From (0, 0) to (10, 20): sqrt(500) = 22.3607 m, at 2 m/s 11.1804 s.
 TO_FAR = leg(3, 0, 26, HERE, FAR, 22.361, "r-2")
-
-
-def by_start(*legs: TravelLeg) -> list[TravelLeg]:
-    return sorted(legs, key=lambda one: (one.start_s, one.leaf, one.robot))
 
 
 def test_what_is_brought_caps_the_speed_and_is_at_the_new_place_afterwards() -> None:

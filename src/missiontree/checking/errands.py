@@ -17,13 +17,14 @@ class Errand(NamedTuple):
     """
     A robot's travel for its own sake, as it must be.
 
-    ``origin`` and ``goal`` are None where they are not known. ``free_from`` is when what it did before ended, in ticks, and ``until``
-    when it must be there; None if it need not be at any time. ``leg`` is what the schedule has for it.
+    ``origins`` are the spots where it may be before; they and ``goal`` are None where they are not known. ``free_from`` is when what it
+    did before ended, in ticks, and ``until`` when it must be there; None if it need not be at any time. ``leg`` is what the schedule has
+    for it.
     """
 
     robot: str
     what: str
-    origin: Spot
+    origins: tuple[Spot, ...]
     goal: Spot
     free_from: int
     until: int | None
@@ -44,7 +45,7 @@ def errands(case: Case, timetable: Timetable) -> Iterator[Errand]:
     for step in visits(case, timetable):
         visit = step.visit
         what = f"its way to the charger {visit.charger}"
-        yield Errand(visit.robot, what, step.origin, step.goal, step.free_from, tick(visit.start_s), visit.leg)
+        yield Errand(visit.robot, what, step.origins, step.goal, step.free_from, tick(visit.start_s), visit.leg)
     if case.plan.brief.return_home:
         yield from returns(case, timetable)
 
@@ -54,9 +55,9 @@ def returns(case: Case, timetable: Timetable) -> Iterator[Errand]:
     legs: dict[str, OwnLeg] = {}
     for leg in timetable.schedule.returns:
         legs.setdefault(leg.robot, leg)
-    for robot, (spot, free_from) in final_stands(case, timetable).items():
+    for robot, (spots, free_from) in final_stands(case, timetable).items():
         home = start_spot(case, case.fleet.robots.get(robot))
-        yield Errand(robot, "its way home", spot, home, free_from, None, legs.get(robot))
+        yield Errand(robot, "its way home", spots, home, free_from, None, legs.get(robot))
 
 
 def runs(case: Case) -> Iterator[Run]:

@@ -1,4 +1,10 @@
-"""Where every robot must travel, told from where everybody and everything is at what time."""
+"""
+Where every robot must travel, told from where everybody and everything is at what time.
+
+What is moved in no time at the moment at which somebody comes to it may have been moved before or after that: the times of a schedule do
+not say, and not always do the rules. Then it may be at either place, and so may who was there be afterwards; a schedule is sound if it is
+for one of them.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +14,7 @@ from typing import NamedTuple
 from missiontree.checking.case import Case
 from missiontree.checking.clock import tick
 from missiontree.checking.timetable import Deed, Timetable
+from missiontree.checking.ways import apart_m
 from missiontree.mission.fleet import Robot
 from missiontree.mission.position import Position
 from missiontree.mission.schedule import Recharge
@@ -15,6 +22,8 @@ from missiontree.mission.schedule import Recharge
 Spot = Position | None
 """A point in frame ``map``; None where it is not known."""
 
+NEAR_M = 1e-3
+"""Metres by which a distance or a place may be off."""
 
 MOST_AT_ONCE = 50
 """Moves that take no time at one moment, beyond which nobody can tell what is where."""
@@ -22,14 +31,15 @@ MOST_AT_ONCE = 50
 
 class Journey(NamedTuple):
     """
-    What a robot has to travel for one action that has a place. Once it was at a place that is not known, ``origin`` is None.
+    What a robot has to travel for one action that has a place.
 
-    ``goals`` holds more than one spot only where the entity is moved, in no time, at the very moment. ``free_from`` is when the
-    robot's action before ended, in ticks.
+    ``origins`` are the spots at which it may be before; None is one of them once it was at a place that is not known. ``goals`` are those
+    at which the action may be. Either holds more than one spot only where an entity is moved, in no time, at the very moment.
+    ``free_from`` is when the robot's action before ended, in ticks.
     """
 
     deed: Deed
-    origin: Spot
+    origins: tuple[Spot, ...]
     goals: tuple[Spot, ...]
     free_from: int
 
@@ -66,14 +76,22 @@ class Movements:
         visiting.add(key)
         found = self._initial(entity)
         for move in self._moves.get(entity, ()):
-            if move.leaf == deed.leaf or move.end > deed.start or _one_activity(move, deed):
+            if move.leaf == deed.leaf or move.end > deed.start or _one_activity(move, deed) or self._surely(deed, move):
                 continue
             there = self._spots_at(move.action.at, move, visiting) if move.action.at is not None else (None,)
-            certain = move.start < deed.start or self._timetable.surely_before(move.leaf, deed.leaf)
-            certain = certain or (move.robot == deed.robot and self._turn[move.leaf] < self._turn[deed.leaf])
-            found = there if certain else tuple(dict.fromkeys(found + there))
+            found = (
+                there if move.start < deed.start or self._surely(move, deed) else tuple(dict.fromkeys(found + there))
+            )
         self._spots[key] = found
         return found
+
+    def _surely(self, first: Deed, second: Deed) -> bool:
+        """Whether one action that starts when another does comes before it: as the order of the tree or that of a robot has it."""
+        if first.start != second.start:
+            return False
+        if first.robot == second.robot and self._turn[first.leaf] < self._turn[second.leaf]:
+            return True
+        return self._timetable.surely_before(first.leaf, second.leaf)
 
     def _initial(self, entity: str) -> tuple[Spot, ...]:
         return (self._case.scene.spots.get(entity),)
@@ -100,9 +118,9 @@ def journeys(case: Case, timetable: Timetable) -> Iterator[Journey]:
 
 
 class Stand(NamedTuple):
-    """Where a robot is after all that it does, and from when, in ticks."""
+    """Where a robot may be after all that it does, and from when, in ticks."""
 
-    spot: Spot
+    spots: tuple[Spot, ...]
     free_from: int
 
 
@@ -113,10 +131,10 @@ def final_stands(case: Case, timetable: Timetable) -> dict[str, Stand]:
 
 
 class Visit(NamedTuple):
-    """A visit to a charger: where its robot is before and from when on it is free, in ticks, and where the charger is."""
+    """A visit to a charger: where its robot may be before and from when on it is free, in ticks, and where the charger is."""
 
     visit: Recharge
-    origin: Spot
+    origins: tuple[Spot, ...]
     goal: Spot
     free_from: int
 
@@ -137,17 +155,32 @@ def _walks(case: Case, timetable: Timetable) -> dict[str, tuple[Step, ...]]:
 
 def _steps(case: Case, timetable: Timetable, movements: Movements, robot: str) -> Iterator[Step]:
     """A robot's journeys and its visits to chargers in order of time, then where it ends."""
-    spot, free_from = start_spot(case, case.fleet.robots.get(robot)), 0
+    spots: tuple[Spot, ...] = (start_spot(case, case.fleet.robots.get(robot)),)
+    free_from = 0
     for deed in timetable.turns(robot):
         if isinstance(deed, Recharge):
             charger = case.scene.charger_spots.get(deed.charger)
-            yield Visit(deed, spot, charger, free_from)
-            spot, free_from = charger, max(free_from, tick(deed.end_s))
+            yield Visit(deed, spots, charger, free_from)
+            spots, free_from = (charger,), max(free_from, tick(deed.end_s))
             continue
         if deed.action.at is not None or deed.action.moves:
             goals = movements.spots(deed.action.at, deed) if deed.action.at is not None else (None,)
             if deed.action.at is not None:
-                yield Journey(deed, spot, goals, free_from)
-            spot = goals[0] if len(goals) == 1 else None  # at which of them it is, nobody can tell
+                yield Journey(deed, spots, goals, free_from)
+            spots = goals if len(goals) == 1 else _reached(timetable, deed, spots, goals)
         free_from = max(free_from, deed.end)
-    yield Stand(spot, free_from)
+    yield Stand(spots, free_from)
+
+
+def _reached(timetable: Timetable, deed: Deed, origins: tuple[Spot, ...], goals: tuple[Spot, ...]) -> tuple[Spot, ...]:
+    """Those goals of an action at which a robot is after it: where its leg leads, or where it was if it has none."""
+    leg = timetable.legs.get((deed.robot, deed.leaf))
+    stops = origins if leg is None else (leg.destination,)
+    if None in stops:
+        return goals
+    return tuple(goal for goal in goals if any(same_spot(goal, stop) for stop in stops)) or goals
+
+
+def same_spot(one: Spot, other: Spot) -> bool:
+    """Whether two spots are known and the same."""
+    return one is not None and other is not None and one.frame == other.frame and apart_m(one, other) <= NEAR_M

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from missiontree.checking.case import Case
 from missiontree.checking.fault import Fault, named
-from missiontree.checking.journeys import journeys
+from missiontree.checking.journeys import NEAR_M, journeys
 from missiontree.checking.provenance import GIVEN
 from missiontree.checking.timetable import Timetable
-from missiontree.checking.ways import apart_m
+from missiontree.checking.travel import least_gap
 
 
 def note_dropped(case: Case) -> Iterator[Fault]:
@@ -79,11 +79,11 @@ def assumption_missing(case: Case) -> Iterator[Fault]:
 def _guesses(case: Case, timetable: Timetable) -> Iterator[tuple[str, str, int]]:
     """Robot or type, what is not known of it, and the action for which that counts."""
     for journey in journeys(case, timetable):
-        deed, goals = journey.deed, [goal for goal in journey.goals if goal is not None]
-        kind = case.fleet.type_of.get(deed.robot)
-        if kind is None or len(goals) != len(journey.goals):
+        deed, kind = journey.deed, case.fleet.type_of.get(journey.deed.robot)
+        if kind is None or None in journey.goals:
             continue
-        if journey.origin is None:
+        gap = least_gap(journey.origins, journey.goals)
+        if all(origin is None for origin in journey.origins):
             yield deed.robot, f"where {deed.robot} comes from", deed.leaf
-        elif "max_speed_mps" not in kind.limits and min(apart_m(journey.origin, goal) for goal in goals) > 1e-3:
+        elif "max_speed_mps" not in kind.limits and gap is not None and gap > NEAR_M:
             yield kind.id, f"how fast {kind.label or kind.id} travels", deed.leaf

@@ -10,8 +10,8 @@ from missiontree.checking.case import Case
 from missiontree.checking.clock import TOLERANCE, shown, tick, ticks_needed
 from missiontree.checking.errands import Run, errands, returns, runs
 from missiontree.checking.fault import Fault
-from missiontree.checking.travel import NEAR_M
-from missiontree.checking.ways import apart_m
+from missiontree.checking.journeys import NEAR_M, same_spot
+from missiontree.checking.travel import least_gap
 from missiontree.checking.windows import mission_deadline
 from missiontree.mission.position import Position
 
@@ -20,10 +20,8 @@ def own_leg_missing(case: Case) -> Iterator[Fault]:
     """A robot must be somewhere else than where it is, for its own sake, and no leg takes it there."""
     for timetable in case.timetables:
         for errand in errands(case, timetable):
-            if errand.leg is not None or errand.origin is None or errand.goal is None:
-                continue
-            gap = apart_m(errand.origin, errand.goal)
-            if gap > NEAR_M:
+            gap = least_gap(errand.origins, (errand.goal,))
+            if errand.leg is None and gap is not None and gap > NEAR_M:
                 yield Fault(
                     f"schedule {timetable.schedule.rank}: {errand.robot} is {gap:g} m away, and {errand.what} is not planned.",
                     robot=errand.robot,
@@ -38,7 +36,7 @@ def return_extra(case: Case) -> Iterator[Fault]:
         asked = {
             errand.robot
             for errand in (returns(case, timetable) if case.plan.brief.return_home else ())
-            if errand.origin is not None and errand.goal is not None
+            if any(origin is not None for origin in errand.origins) and errand.goal is not None
         }
         counts = Counter(leg.robot for leg in timetable.schedule.returns)
         for robot, count in sorted(counts.items()):
@@ -71,12 +69,13 @@ def own_leg_misplaced(case: Case) -> Iterator[Fault]:
     for run in runs(case):
         if run.leg.robot != run.errand.robot:
             yield _fault(run, f"is needed by {run.errand.robot}", run.leg.robot, run.errand.robot)
-        for verb, found, needed in (
-            ("starts at", run.leg.origin, run.errand.origin),
-            ("ends at", run.leg.destination, run.errand.goal),
+        for verb, found, spots in (
+            ("starts at", run.leg.origin, run.errand.origins),
+            ("ends at", run.leg.destination, (run.errand.goal,)),
         ):
-            if needed is not None and (found.frame != needed.frame or apart_m(found, needed) > NEAR_M):
-                yield _fault(run, f"{verb} {_point(found)}, not {_point(needed)}", _point(found), _point(needed))
+            needed = [spot for spot in spots if spot is not None]
+            if needed and not any(same_spot(spot, found) for spot in needed):
+                yield _fault(run, f"{verb} {_point(found)}, not {_point(needed[0])}", _point(found), _point(needed[0]))
 
 
 def own_leg_without_way(case: Case) -> Iterator[Fault]:

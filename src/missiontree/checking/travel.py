@@ -10,15 +10,12 @@ from typing import NamedTuple
 from missiontree.checking.case import Case
 from missiontree.checking.clock import TOLERANCE, shown, tick, ticks_needed
 from missiontree.checking.fault import Fault, named
-from missiontree.checking.journeys import Journey, journeys
+from missiontree.checking.journeys import NEAR_M, Journey, Spot, journeys, same_spot
 from missiontree.checking.timetable import Timetable
 from missiontree.checking.ways import apart_m
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.schedule import TravelLeg
-
-NEAR_M = 1e-3
-"""Metres by which a distance or a place may be off."""
 
 
 class Travelled(NamedTuple):
@@ -34,27 +31,31 @@ def leg_missing(case: Case) -> Iterator[Fault]:
     """A robot is needed somewhere else than where it is and no leg takes it there; or a move whose ends are known has no leg."""
     for timetable, journey in _journeys(case):
         deed = journey.deed
-        if (deed.robot, deed.leaf) in timetable.legs or journey.origin is None:
+        gap = least_gap(journey.origins, journey.goals)
+        if (deed.robot, deed.leaf) in timetable.legs or gap is None:
             continue
-        gaps = [apart_m(journey.origin, goal) for goal in journey.goals if goal is not None]
-        if len(gaps) == len(journey.goals) and (deed.action.moves or min(gaps) > NEAR_M):
+        if deed.action.moves or gap > NEAR_M:
             yield Fault(
-                f"schedule {timetable.schedule.rank}: {deed.robot} is {min(gaps):g} m from where it does "
+                f"schedule {timetable.schedule.rank}: {deed.robot} is {gap:g} m from where it does "
                 f"{named(timetable.tree, deed.leaf)} and no leg takes it there.",
                 node=named(timetable.tree, deed.leaf),
                 robot=deed.robot,
                 found="no leg",
-                needed=f"a leg of at least {min(gaps):g} m",
+                needed=f"a leg of at least {gap:g} m",
             )
+
+
+def least_gap(origins: tuple[Spot, ...], goals: tuple[Spot, ...]) -> float | None:
+    """Metres between spots where a robot may be and spots where it must be, at least; None if one of them may be unknown."""
+    known = [(origin, goal) for origin in origins for goal in goals if origin is not None and goal is not None]
+    return min(apart_m(origin, goal) for origin, goal in known) if len(known) == len(origins) * len(goals) else None
 
 
 def leg_extra(case: Case) -> Iterator[Fault]:
     """A leg leads to no action of its robot that has a known place, or stands twice."""
     for timetable in case.timetables:
         wanted = {
-            (journey.deed.robot, journey.deed.leaf)
-            for journey in journeys(case, timetable)
-            if journey.origin is not None and any(goal is not None for goal in journey.goals)
+            (journey.deed.robot, journey.deed.leaf) for journey in journeys(case, timetable) if _may_be_known(journey)
         }
         counts = Counter((leg.robot, leg.leaf) for leg in timetable.schedule.legs)
         for (robot, leaf), count in sorted(counts.items()):
@@ -71,16 +72,16 @@ def leg_extra(case: Case) -> Iterator[Fault]:
 def leg_origin_wrong(case: Case) -> Iterator[Fault]:
     """A leg starts somewhere else than where its robot is."""
     for made in _travelled(case):
-        origin = made.journey.origin
-        if origin is not None and not _same(origin, made.leg.origin):
-            yield _misplaced(made, "starts at", made.leg.origin, origin)
+        origins = [origin for origin in made.journey.origins if origin is not None]
+        if origins and not any(same_spot(origin, made.leg.origin) for origin in origins):
+            yield _misplaced(made, "starts at", made.leg.origin, origins[0])
 
 
 def leg_destination_wrong(case: Case) -> Iterator[Fault]:
     """A leg ends somewhere else than where its action is done at that time."""
     for made in _travelled(case):
         goals = [goal for goal in made.journey.goals if goal is not None]
-        if goals and not any(_same(goal, made.leg.destination) for goal in goals):
+        if goals and not any(same_spot(goal, made.leg.destination) for goal in goals):
             yield _misplaced(made, "ends at", made.leg.destination, goals[0])
 
 
@@ -152,9 +153,9 @@ def move_too_short(case: Case) -> Iterator[Fault]:
     """A move whose ends are not both known takes less than its nominal duration."""
     for timetable, journey in _journeys(case):
         deed = journey.deed
-        known = journey.origin is not None and any(goal is not None for goal in journey.goals)
+        blind = (deed.robot, deed.leaf) not in timetable.legs and least_gap(journey.origins, journey.goals) is None
         needed = ticks_needed(deed.action.duration_s)
-        if deed.action.moves and not known and deed.end - deed.start < needed - TOLERANCE:
+        if deed.action.moves and blind and deed.end - deed.start < needed - TOLERANCE:
             yield Fault(
                 f"schedule {timetable.schedule.rank}: {named(timetable.tree, deed.leaf)} takes {shown(deed.end - deed.start)}; "
                 f"where it leads is not known, so it takes its nominal {shown(needed)}.",
@@ -163,6 +164,11 @@ def move_too_short(case: Case) -> Iterator[Fault]:
                 found=shown(deed.end - deed.start),
                 needed=f"at least {shown(needed)}",
             )
+
+
+def _may_be_known(journey: Journey) -> bool:
+    """Whether where it begins and where it leads may both be known."""
+    return any(origin is not None for origin in journey.origins) and any(goal is not None for goal in journey.goals)
 
 
 def _journeys(case: Case) -> Iterator[tuple[Timetable, Journey]]:
@@ -192,10 +198,6 @@ def _speed(case: Case, made: Travelled) -> float | None:
     brought = (case.scene.by_id.get(entity) for entity in made.journey.deed.action.brings)
     caps = (entity.max_speed_mps for entity in brought if entity is not None)
     return min([own, *(cap for cap in caps if cap is not None)])
-
-
-def _same(first: Position, second: Position) -> bool:
-    return first.frame == second.frame and apart_m(first, second) <= NEAR_M
 
 
 def _point(position: Position) -> str:

@@ -8,7 +8,7 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import OwnLeg
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
 from missiontree.rechecking.own_ways import leads
-from missiontree.rechecking.places import same_place, start_of
+from missiontree.rechecking.places import apart, start_of
 from missiontree.rechecking.walks import walk
 
 RULE = "core_home"
@@ -28,7 +28,7 @@ def everybody_comes_home(facts: Facts) -> Iterator[Reason]:
         home = start_of(facts, robot)
         if robot in legs:
             yield from leads(facts, legs[robot][0], RULE, (here, home), free_ms)
-        elif here is not None and home is not None and not same_place(here, home):
+        elif apart(here, (home,)):
             yield broken(RULE, f"{robot} does not go home.", robot=robot)
 
 

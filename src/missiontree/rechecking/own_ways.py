@@ -9,16 +9,14 @@ from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import OwnLeg
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
-from missiontree.rechecking.places import NEAR_M, same_place
+from missiontree.rechecking.places import NEAR_M, Places, may_be_at
 
 
-def leads(
-    facts: Facts, leg: OwnLeg, rule: str, ends: tuple[Position | None, Position | None], free_ms: int
-) -> Iterator[Reason]:
-    """What is wrong with a way from the first of two ends to the second, set out on when the robot is free."""
+def leads(facts: Facts, leg: OwnLeg, rule: str, ends: tuple[Places, Position | None], free_ms: int) -> Iterator[Reason]:
+    """What is wrong with a way from where a robot may be to where it must be, set out on when the robot is free."""
     here, there = ends
     start, end = milliseconds(leg.start_s), milliseconds(leg.end_s)
-    if here is None or there is None or not same_place(leg.origin, here) or not same_place(leg.destination, there):
+    if not may_be_at(here, leg.origin) or not may_be_at((there,), leg.destination):
         yield broken(rule, f"{leg.robot} sets out from, or gets to, another place than it is to.", robot=leg.robot)
     if start + TICK_MS < free_ms or end < start:
         yield broken(

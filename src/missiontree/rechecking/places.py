@@ -2,16 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from missiontree.mission.position import Position
 from missiontree.rechecking.facts import Facts
 
 NEAR_M = 1e-3
+
+Places = tuple[Position | None, ...]
+"""Where something may be, None where that is unknown; more than one where the times do not tell which."""
 
 
 def same_place(one: Position, other: Position) -> bool:
     """Whether two positions, in frame ``map``, are one."""
     near = abs(one.x_m - other.x_m) <= NEAR_M and abs(one.y_m - other.y_m) <= NEAR_M
     return near and one.floor == other.floor and one.frame == other.frame
+
+
+def may_be_at(places: Iterable[Position | None], where: Position) -> bool:
+    """Whether one of some places is a position, as far as they are known."""
+    return any(place is not None and same_place(place, where) for place in places)
+
+
+def apart(here: Iterable[Position | None], there: Iterable[Position | None]) -> bool:
+    """Whether two places are known and differ, wherever they may be."""
+    known = list(there)
+    return not any(one is None or other is None or same_place(one, other) for one in here for other in known)
 
 
 def start_of(facts: Facts, robot: str) -> Position | None:
@@ -22,24 +38,47 @@ def start_of(facts: Facts, robot: str) -> Position | None:
     return _first_of(facts, one.place)
 
 
-def place_of(facts: Facts, leaf: int) -> Position | None:
+def places_of(facts: Facts, leaf: int) -> Places:
     """
-    Where an action is done: where the last move that brought its entity went, else where the scene has it. None if unknown.
+    Where an action may be done: where the last move that brought its entity went, else where the scene has it. None if unknown.
 
-    Neither the action nor what it is joint with has moved anything when it starts, even if they take no time.
+    Neither the action nor what it is joint with has moved anything when it starts, even if they take no time. More than one place is
+    told only where the entity is moved in no time at the moment of the action or of another move of it: what comes first is not said.
     """
-    return _place_of(facts, leaf, frozenset())
+    found: dict[Position | None, None] = {}
+    waiting, asked = [leaf], {leaf}
+    while waiting:
+        one = waiting.pop()
+        moves, sure = _last_moves(facts, one)
+        waiting += [move for move in moves if move not in asked]
+        asked.update(moves)
+        if not sure:
+            found[_first_of(facts, facts.leaves[one].at)] = None
+    return tuple(found)
 
 
-def _place_of(facts: Facts, leaf: int, asked: frozenset[int]) -> Position | None:
-    """As above; the moves already asked for are not asked again, for instant moves may bring two things to each other."""
-    entity, when_ms, asked = facts.leaves[leaf].at, facts.start_ms[leaf], asked.union(facts.together(leaf))
-    brought = facts.bringing.get(entity or "", ())
-    moves = [move for move in brought if move not in asked and facts.end_ms[move] <= when_ms]
-    if moves:
-        last = max(moves, key=lambda move: (facts.end_ms[move], facts.start_ms[move], move))
-        return _place_of(facts, last, asked)
-    return _first_of(facts, entity)
+def _last_moves(facts: Facts, leaf: int) -> tuple[list[int], bool]:
+    """The moves that may have brought an action's entity to where it is when the action starts; and whether one of them surely has."""
+    when_ms, own = facts.start_ms[leaf], facts.together(leaf)
+    brought = facts.bringing.get(facts.leaves[leaf].at or "", ())
+    moves = [move for move in brought if move not in own and facts.end_ms[move] <= when_ms]
+    possible, surely_ms = [], None
+    for move in sorted(moves, key=lambda move: (facts.end_ms[move], facts.start_ms[move]), reverse=True):
+        lasts = facts.start_ms[move] < facts.end_ms[move]
+        if surely_ms is not None and (lasts or facts.end_ms[move] < surely_ms):
+            break
+        possible.append(move)
+        if lasts or facts.end_ms[move] < when_ms:
+            surely_ms = facts.end_ms[move]
+    return possible, surely_ms is not None
+
+
+def reached(facts: Facts, leaf: int) -> Places:
+    """Where a robot may be after an action: where its leg leads to, or else wherever the action may be done."""
+    places = places_of(facts, leaf)
+    legs = facts.schedule.legs if len(places) > 1 and facts.schedule is not None else ()
+    there = [leg.destination for leg in legs if leg.leaf == leaf]
+    return tuple(place for place in places if place is not None and may_be_at(there, place)) or places
 
 
 def _first_of(facts: Facts, entity: str | None) -> Position | None:

@@ -9,7 +9,7 @@ from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import OwnLeg, Recharge
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
 from missiontree.rechecking.own_ways import leads
-from missiontree.rechecking.places import same_place
+from missiontree.rechecking.places import apart
 from missiontree.rechecking.walks import steps, walk
 
 RULE = "core_refill"
@@ -82,7 +82,7 @@ def _comes(facts: Facts, visit: Recharge) -> Iterator[Reason]:
         yield from leads(facts, visit.leg, RULE, (here, goal), free_ms)
         if milliseconds(visit.leg.end_s) > milliseconds(visit.start_s) + TICK_MS:
             yield broken(RULE, f"{visit.robot} is not at {visit.charger} when it refills.", robot=visit.robot)
-    elif here is not None and goal is not None and not same_place(here, goal):
+    elif apart(here, (goal,)):
         yield broken(RULE, f"{visit.robot} has no way to {visit.charger}.", robot=visit.robot)
 
 

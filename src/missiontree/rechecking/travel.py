@@ -9,7 +9,7 @@ from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import TravelLeg
 from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
-from missiontree.rechecking.places import NEAR_M, place_of, same_place
+from missiontree.rechecking.places import NEAR_M, Places, apart, may_be_at, places_of
 from missiontree.rechecking.walks import walk
 
 RULE = "core_travel"
@@ -33,28 +33,26 @@ def robots_come_from_where_they_were(facts: Facts) -> Iterator[Reason]:
         for step, here, free_ms in walk(facts, robot):
             if not isinstance(step, int):
                 continue
-            there, leg = place_of(facts, step), legs.get(step)
+            there, leg = places_of(facts, step), legs.get(step)
             if leg is not None:
                 yield from _leg_joins(facts, leg, here, there, free_ms)
-            elif here is not None and there is not None and not same_place(here, there):
-                message = f"{robot} is at {_shown(here)}; {facts.label(step)} is at {_shown(there)}, and no travel is planned."
+            elif apart(here, there):
+                message = (
+                    f"{robot} is at {_any(here)}; {facts.label(step)} is at {_any(there)}, and no travel is planned."
+                )
                 yield broken(RULE, message, node=step, robot=robot)
 
 
-def _leg_joins(
-    facts: Facts, leg: TravelLeg, here: Position | None, there: Position | None, free_ms: int
-) -> Iterator[Reason]:
+def _leg_joins(facts: Facts, leg: TravelLeg, here: Places, there: Places, free_ms: int) -> Iterator[Reason]:
     """A leg starts where the robot is and ends at the action, between what the robot did before and the action."""
 
     def wrong(message: str) -> Reason:
         return broken(RULE, message, node=leg.leaf, robot=leg.robot)
 
     start, end = milliseconds(leg.start_s), milliseconds(leg.end_s)
-    if here is None or not same_place(leg.origin, here):
-        yield wrong(
-            f"{leg.robot} sets out from {_shown(leg.origin)} and is {'at ' + _shown(here) if here else 'nowhere known'}."
-        )
-    if there is None or not same_place(leg.destination, there):
+    if not may_be_at(here, leg.origin):
+        yield wrong(f"{leg.robot} sets out from {_shown(leg.origin)} and is at {_any(here)}.")
+    if not may_be_at(there, leg.destination):
         yield wrong(f"{leg.robot} travels to {_shown(leg.destination)}, and {facts.label(leg.leaf)} is elsewhere.")
     if end < start:
         yield wrong(f"the travel to {facts.label(leg.leaf)} ends before it starts.")
@@ -109,6 +107,10 @@ def _speed(facts: Facts, leaf: int) -> float | None:
         return None
     brought = [facts.world.by_id[entity].max_speed_mps for entity in action.brings if entity in facts.world.by_id]
     return min([own, *(speed for speed in brought if speed is not None)])
+
+
+def _any(places: Places) -> str:
+    return " or ".join("no known place" if place is None else _shown(place) for place in places)
 
 
 def _shown(where: Position) -> str:

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from missiontree.mission.position import Position
 from missiontree.mission.schedule import Recharge
 from missiontree.rechecking.facts import Facts, milliseconds
-from missiontree.rechecking.places import place_of, start_of
+from missiontree.rechecking.places import Places, reached, start_of
 
 Step = int | Recharge
 """An action, as its leaf, or a visit to a charger."""
@@ -27,23 +26,24 @@ def steps(facts: Facts, robot: str) -> list[Step]:
 
 
 class Stand(NamedTuple):
-    """Where a robot is before a step, None if unknown, and from when it is free; ``step`` is None after the last."""
+    """Where a robot may be before a step, None if unknown, and from when it is free; ``step`` is None after the last."""
 
     step: Step | None
-    here: Position | None
+    here: Places
     free_ms: int
 
 
 def walk(facts: Facts, robot: str) -> Iterator[Stand]:
     """Where a robot is before each of its steps, and after the last."""
-    here, free_ms = start_of(facts, robot), 0
+    here: Places = (start_of(facts, robot),)
+    free_ms = 0
     for step in steps(facts, robot):
         yield Stand(step, here, free_ms)
         if isinstance(step, Recharge):
-            here, free_ms = facts.world.charger_spots.get(step.charger), max(free_ms, milliseconds(step.end_s))
+            here, free_ms = (facts.world.charger_spots.get(step.charger),), max(free_ms, milliseconds(step.end_s))
             continue
         action = facts.leaves[step]
         if action.at is not None or action.moves:
-            here = place_of(facts, step)
+            here = reached(facts, step)
         free_ms = max(free_ms, facts.end_ms[step])
     yield Stand(None, here, free_ms)
