@@ -18,9 +18,10 @@ from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import dataclass, field
 from inspect import getfile
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
 from pathlib import Path
 from random import Random
+from threading import Thread
 from typing import Any
 
 from benchmarks.campaign_source import source_digest
@@ -208,7 +209,7 @@ def _pieces(campaign: Campaign, seed: int, start: int, stop: int, jobs: int) -> 
         for first, last in spans:
             yield made(campaign, seed, first, last)
         return
-    with ProcessPoolExecutor(jobs, get_context("spawn")) as pool:
+    with ProcessPoolExecutor(jobs, get_context("spawn"), leave_with_parent) as pool:
         running = deque[Future[State]]()
         for first, last in spans:
             running.append(pool.submit(made, campaign, seed, first, last))
@@ -216,6 +217,18 @@ def _pieces(campaign: Campaign, seed: int, start: int, stop: int, jobs: int) -> 
                 yield running.popleft().result()
         while running:
             yield running.popleft().result()
+
+
+def leave_with_parent() -> None:
+    """Let this process end as soon as the one that started it has: a worker of one that was killed would wait for ever."""
+    parent = parent_process()
+    assert parent is not None
+
+    def wait() -> None:
+        parent.join()
+        os._exit(1)
+
+    Thread(target=wait, daemon=True).start()
 
 
 def _resumed(path: Path | None, campaign: Campaign, seed: int) -> State:
