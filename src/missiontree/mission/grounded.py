@@ -85,6 +85,11 @@ class Action(Value):
     travel_at_least_s: NonNegative = 0.0
     holds: tuple[Id, ...] = ()
 
+    @property
+    def is_somewhere(self) -> bool:
+        """Whether it is done at a place, known or not."""
+        return self.moves or self.at is not None
+
     def _check(self) -> None:
         require_unique(f"action {self.name!r} holds: resource", self.holds)
 

@@ -72,11 +72,7 @@ Stands = Collection[tuple[Spot, Mapping[str, float]]]
 def may_get_lost(graph: TaskGraph, places: Places) -> set[str]:
     """Types with an action whose place may be unknown; their robots may be anywhere afterwards."""
     actions = ((leaf, graph.tree.action(leaf)) for leaves in graph.roles.values() for leaf in leaves)
-    return {
-        action.robot_type
-        for leaf, action in actions
-        if (action.moves or action.at is not None) and None in places.of[leaf]
-    }
+    return {action.robot_type for leaf, action in actions if action.is_somewhere and None in places.of[leaf]}
 
 
 def _stands(kind: RobotType, trips: Trips, refilled: Collection[str]) -> Stands:

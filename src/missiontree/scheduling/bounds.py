@@ -24,7 +24,7 @@ from missiontree.mission.ticks import ticks
 from missiontree.scheduling.chargers import NO_CHARGERS, Chargers
 from missiontree.scheduling.entries import least_entries
 from missiontree.scheduling.load import holding_bound, load_bound, pieces_of
-from missiontree.scheduling.places import Places, Spots
+from missiontree.scheduling.places import MANY_SPOTS, Places, Spots
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.refilling import refill_bound
 from missiontree.scheduling.role_spots import first_spots
@@ -35,7 +35,6 @@ from missiontree.scheduling.trips import Spot, Trips
 
 NEVER = 1 << 62
 """A tick that never comes."""
-_MANY = 48  # spots of a type beyond which travel is bounded by nothing; keeps bounds cheaper than schedules
 
 
 @dataclass(slots=True)
@@ -155,7 +154,7 @@ class _Travel:
             for leaf in leaves:
                 action, there = graph.tree.action(leaf), places.of[leaf]
                 self.previous[leaf] = here
-                if action.moves or action.at is not None:
+                if action.is_somewhere:
                     here = there
                     spots |= there
         self._starts = {kind: set(trips.starts(kind)) for kind in visited}
@@ -190,7 +189,7 @@ class _Travel:
         return min(known, nominal) if None in here or None in there else known
 
     def _least(self, action: Action, here: Spots, there: Spots) -> int:
-        if len(here) * len(there) > _MANY * _MANY:
+        if len(here) * len(there) > MANY_SPOTS * MANY_SPOTS:
             return 0
         trips = (self._trips.trip(action, origin, destination) for origin in here for destination in there)
         return min((trip.ticks for trip in trips if not isinstance(trip, Blocked)), default=0)
@@ -201,7 +200,7 @@ class _Travel:
         back = {kind: self._least_arrivals(kind, home=True) for kind in self._visited}
         for role, leaves in self._graph.roles.items():
             actions = ((leaf, self._graph.tree.action(leaf)) for leaf in reversed(leaves))
-            last = next((leaf for leaf, action in actions if action.at is not None or action.moves), None)
+            last = next((leaf for leaf, action in actions if action.is_somewhere), None)
             if last is None:
                 continue
             ways = back[staffing.type_of[role]]
@@ -217,7 +216,7 @@ class _Travel:
         With ``home``, from each spot to the nearest start, the legs backwards.
         """
         starts, spots = self._starts[kind], self._visited[kind]
-        if None in starts or None in spots or len(starts | spots) > _MANY:
+        if None in starts or None in spots or len(starts | spots) > MANY_SPOTS:
             return {}
         best: dict[Spot, int] = dict.fromkeys(starts, 0)
         queue = [(0, number, spot) for number, spot in enumerate(sorted(starts, key=repr))]
@@ -275,7 +274,7 @@ def _stood_still(graph: TaskGraph, duration: Sequence[int]) -> dict[int, int]:
         ticks_before = 0
         for leaf in leaves:
             action = graph.tree.action(leaf)
-            if action.at is not None or action.moves:
+            if action.is_somewhere:
                 still[leaf] = ticks_before
                 break
             ticks_before += duration[graph.activity_of[leaf]]

@@ -56,3 +56,17 @@ def passings(graph: TaskGraph, tours: Mapping[str, Sequence[int]]) -> list[tuple
         for roles in tours.values()
         for earlier, later in pairwise(roles)
     ]
+
+
+def begun_is_enough(graph: TaskGraph, first: int, second: int) -> bool | None:
+    """Whether one activity need only wait for another to begin, for the sake of what they move; None if it need not wait at all."""
+    waits: bool | None = None
+    for earlier in (graph.tree.action(leaf) for leaf in graph.activities[first]):
+        for later in (graph.tree.action(leaf) for leaf in graph.activities[second]):
+            if {*earlier.brings} & {*later.brings, later.at}:
+                return False
+            if earlier.at is not None and earlier.at in later.brings:
+                if not earlier.open_ended:
+                    return False
+                waits = True
+    return waits

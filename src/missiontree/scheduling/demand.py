@@ -139,7 +139,7 @@ class Demands:
         for leaf in self._board.graph.roles[role]:
             action = self._board.graph.tree.action(leaf)
             there = moved[action.at] if action.at in moved else self._world.spot(action)
-            if action.moves or action.at is not None:
+            if action.is_somewhere:
                 trip = self._board.problem.trips.trip(action, here, there)
                 metres += 0.0 if isinstance(trip, Blocked) else trip.metres
                 here = there

@@ -9,12 +9,10 @@ from typing import NamedTuple
 
 from missiontree.estimation.travel import Blocked
 from missiontree.scheduling.chargers import NO_CHARGERS, Chargers
-from missiontree.scheduling.places import Places
+from missiontree.scheduling.places import MANY_SPOTS, Places
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
 from missiontree.scheduling.trips import Spot, Trips
-
-_MANY = 48  # spots of a type beyond which travel is bounded by nothing; keeps bounds cheaper than schedules
 
 
 class Entry(NamedTuple):
@@ -81,9 +79,9 @@ def least_entries(
         if None in everywhere:
             continue
         if plugs:
-            apart = plugs.difference(trips.starts(type_id), *spots.values()) if len(everywhere) <= _MANY else set()
+            apart = plugs.difference(trips.starts(type_id), *spots.values()) if len(everywhere) <= MANY_SPOTS else set()
             chargers_found[type_id] = {spot: _least_leg(type_id, spot, everywhere, trips) for spot in apart}
-        if len(everywhere) > _MANY:
+        if len(everywhere) > MANY_SPOTS:
             continue
         visits = Counter(spot for visited in spots.values() for spot in visited)
         legs = {spot: _least_leg(type_id, spot, everywhere, trips) for spot in everywhere - starts if visits[spot] == 1}
@@ -100,7 +98,7 @@ def least_entries(
 
 def _visited(graph: TaskGraph, role: int, places: Places) -> set[Spot]:
     actions = ((leaf, graph.tree.action(leaf)) for leaf in graph.roles[role])
-    return {spot for leaf, action in actions if action.at is not None or action.moves for spot in places.of[leaf]}
+    return {spot for leaf, action in actions if action.is_somewhere for spot in places.of[leaf]}
 
 
 def _least_leg(type_id: str, goal: Spot, origins: set[Spot], trips: Trips) -> Entry:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from missiontree.estimation.travel import Blocked
 from missiontree.mission.ticks import ticks
 from missiontree.scheduling.cpsat.crew import presence
-from missiontree.scheduling.cpsat.placing import is_somewhere
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.trips import Spot
 
@@ -23,7 +22,7 @@ def horizon_of(problem: Problem) -> int:
             problem.staffing.type_of[role], set(problem.trips.starts(problem.staffing.type_of[role]))
         )
         for leaf in leaves:
-            if is_somewhere(graph.tree.action(leaf)):
+            if graph.tree.action(leaf).is_somewhere:
                 own |= problem.places.of[leaf]
     total = len(graph.until) + max(graph.release.values(), default=0)
     total += max((presence(kind, robot)[0] for kind in problem.fleet.types for robot in kind.members), default=0)
@@ -49,7 +48,7 @@ def _way(problem: Problem, leaf: int, spots: dict[str, set[Spot]]) -> int:
     """The longest way to an action."""
     action = problem.graph.tree.action(leaf)
     way = 0
-    for origin in spots[action.robot_type] if is_somewhere(action) else ():
+    for origin in spots[action.robot_type] if action.is_somewhere else ():
         for goal in problem.places.of[leaf]:
             trip = problem.trips.trip(action, origin, goal)
             way = max(way, 0 if isinstance(trip, Blocked) else trip.ticks)

@@ -10,6 +10,9 @@ from missiontree.scheduling.trips import Spot, Trips
 
 Spots = frozenset[Spot]
 
+MANY_SPOTS = 48
+"""Of one type, beyond which nothing is said of its travel unless there is time for it, so that bounds stay cheaper than schedules."""
+
 
 class Places:
     """

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections import Counter
 
 from missiontree.scheduling.chargers import NO_CHARGERS, Chargers
-from missiontree.scheduling.places import Places, Spots
+from missiontree.scheduling.places import MANY_SPOTS, Places, Spots
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
 from missiontree.scheduling.trips import Trips
-
-_MANY = 48  # spots of a type beyond which nothing is said
 
 
 def first_spots(
@@ -29,7 +27,7 @@ def first_spots(
     for type_id, lasts in by_type.items():
         idle = {*trips.starts(type_id), *(station.spot for station in chargers.stations.get(type_id, ()))}
         everywhere = frozenset(idle.union(*lasts.values()))
-        if len(everywhere) > _MANY:
+        if len(everywhere) > MANY_SPOTS:
             continue
         ends = Counter(spot for spots in lasts.values() for spot in spots)
         for role, spots in lasts.items():
@@ -41,6 +39,6 @@ def last_spots(graph: TaskGraph, role: int, places: Places) -> Spots:
     """Where a role leaves its robot; nowhere if it takes it nowhere."""
     for leaf in reversed(graph.roles[role]):
         action = graph.tree.action(leaf)
-        if action.at is not None or action.moves:
+        if action.is_somewhere:
             return places.of[leaf]
     return frozenset()

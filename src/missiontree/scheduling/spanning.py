@@ -16,13 +16,10 @@ from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.ticks import ticks
 from missiontree.scheduling.chargers import Chargers
 from missiontree.scheduling.own_work import own_work
-from missiontree.scheduling.places import Places, Spots
+from missiontree.scheduling.places import MANY_SPOTS, Places, Spots
 from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.staffing import Staffing
 from missiontree.scheduling.trips import Trips
-
-MANY = 48
-"""Places of a type beyond which trees are left out unless there is time for them, so that bounds stay cheaper than schedules."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +40,7 @@ def spanning_bound(
     fleet: Fleet,
     trips: Trips,
     chargers: Chargers,
-    many: int = MANY,
+    many: int = MANY_SPOTS,
     over: Callable[[], bool] = never,
 ) -> int:
     """
@@ -86,19 +83,14 @@ def spanning_bound(
 
 def _first(graph: TaskGraph, role: int) -> int | None:
     """The first action of a role with a place."""
-    return next((leaf for leaf in graph.roles[role] if _placed(graph, leaf)), None)
-
-
-def _placed(graph: TaskGraph, leaf: int) -> bool:
-    action = graph.tree.action(leaf)
-    return action.moves or action.at is not None
+    return next((leaf for leaf in graph.roles[role] if graph.tree.action(leaf).is_somewhere), None)
 
 
 def _stays(graph: TaskGraph, places: Places, roles: Sequence[int]) -> dict[int, _Stay] | None:
     """Roles with a place, and where they are; None if that is not known, or if what is first there lasts until something else ends."""
     found: dict[int, _Stay] = {}
     for role in roles:
-        placed = [leaf for leaf in graph.roles[role] if _placed(graph, leaf)]
+        placed = [leaf for leaf in graph.roles[role] if graph.tree.action(leaf).is_somewhere]
         if not placed:
             continue
         stay = _Stay(places.of[placed[0]], places.of[placed[-1]])

@@ -144,7 +144,7 @@ class WorldState:
             if action.at is not None:
                 state = self.entity(action.at)
                 state.used_until = max(state.used_until, start if action.open_ended else end)
-            if action.moves or action.at is not None:  # at a place that nobody knows it is somewhere unknown, too
+            if action.is_somewhere:  # at a place that nobody knows it is somewhere unknown, too
                 robot.spot, robot.stand = destination, self.number(destination)
             for name in action.brings:
                 self.moves += 1

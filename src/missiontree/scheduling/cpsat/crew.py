@@ -13,7 +13,6 @@ from itertools import combinations
 
 from missiontree.mission.fleet import Robot, RobotType
 from missiontree.mission.ticks import ticks, ticks_within
-from missiontree.scheduling.cpsat.placing import is_somewhere
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.trips import Spot
 
@@ -100,7 +99,7 @@ def _crew(problem: Problem, kind: RobotType, roles: Sequence[int]) -> Crew:
     spots: set[Spot] = set()
     for role in roles:
         for leaf in problem.graph.roles[role]:
-            if is_somewhere(problem.graph.tree.action(leaf)):
+            if problem.graph.tree.action(leaf).is_somewhere:
                 spots |= problem.places.of[leaf]
     return Crew(
         kind,

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from missiontree.mission.control import never
-from missiontree.scheduling.course import Course, passings
+from missiontree.scheduling.course import Course, begun_is_enough, passings
 from missiontree.scheduling.cpsat.crew import Crew, crews, uses_of
 from missiontree.scheduling.cpsat.heads import Spans, add_heads
 from missiontree.scheduling.cpsat.model import FAR, Affine, Linear, Model, negated
@@ -191,7 +191,7 @@ class Formulation:
         after_start: list[tuple[int, int]] = []
         for pair in self.things.pairs:
             first, second = pair if self.holds(self.ordering.before(*pair), values) else pair[::-1]
-            begun = self.things.begun_is_enough(first, second)
+            begun = begun_is_enough(self.problem.graph, first, second)
             (after_start if begun else after_end).append((first, second))
         return after_end, after_start
 

@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from missiontree.estimation.travel import Blocked
-from missiontree.mission.grounded import Action
 from missiontree.mission.ticks import ticks
 from missiontree.scheduling.cpsat.model import Model
 from missiontree.scheduling.cpsat.unsupported import UnsupportedError
@@ -59,7 +58,7 @@ class Stations:
             for number, leaf in enumerate(leaves):
                 if number:
                     self.before[leaf] = leaves[number - 1]
-                if not is_somewhere(graph.tree.action(leaf)):
+                if not graph.tree.action(leaf).is_somewhere:
                     continue
                 self.where[leaf] = self._literals(leaf)
                 if last is None:
@@ -105,8 +104,3 @@ class Stations:
                 return None
             lengths.add(way.ticks)
         return lengths.pop() if len(lengths) == 1 else None
-
-
-def is_somewhere(action: Action) -> bool:
-    """Whether an action is done at a place, known or not."""
-    return action.moves or action.at is not None

@@ -18,7 +18,6 @@ from missiontree.scheduling.cpsat.crew import Crew, crews
 from missiontree.scheduling.cpsat.model import Affine, Model, negated
 from missiontree.scheduling.cpsat.net import precedences
 from missiontree.scheduling.cpsat.ordering import Ordering
-from missiontree.scheduling.cpsat.placing import is_somewhere
 from missiontree.scheduling.cpsat.staff import Staff
 from missiontree.scheduling.cpsat.unsupported import TimeIsUpError
 from missiontree.scheduling.problem import Problem
@@ -171,7 +170,7 @@ class SecondForm:
 
     def _arrive(self, role: int, left: Affine, way: int | None, when: tuple[int, ...]) -> None:
         """A robot that is free from ``left`` on gets to the first place of a role in time."""
-        leaf = next((one for one in self._graph.roles[role] if is_somewhere(self._graph.tree.action(one))), None)
+        leaf = next((one for one in self._graph.roles[role] if self._graph.tree.action(one).is_somewhere), None)
         if leaf is None or self._graph.activity_of[leaf] in self._graph.until:
             return
         if way is None:
@@ -192,7 +191,7 @@ class _Ways:
         self._problem, self._crew = problem, crew
         graph, places = problem.graph, problem.places
         self._places = {
-            role: [places.of[leaf] for leaf in graph.roles[role] if is_somewhere(graph.tree.action(leaf))]
+            role: [places.of[leaf] for leaf in graph.roles[role] if graph.tree.action(leaf).is_somewhere]
             for role in crew.roles
         }
         spots: set[Spot] = {member.start for member in crew.members}

@@ -7,6 +7,7 @@ when another does, the thing may be moved once that has begun). Where a thing is
 
 from __future__ import annotations
 
+from missiontree.scheduling.course import begun_is_enough
 from missiontree.scheduling.cpsat.model import ExactlyOne, Model, negated
 from missiontree.scheduling.cpsat.ordering import Ordering
 from missiontree.scheduling.cpsat.placing import Stations
@@ -81,24 +82,11 @@ class Things:
                         pairs.add((low, high))
         return sorted(pairs)
 
-    def begun_is_enough(self, first: int, second: int) -> bool | None:
-        """Whether the second may start as soon as the first has begun; None if it need not wait at all."""
-        strictest: bool | None = None
-        for name, movers in self.movers.items():
-            users = self.users.get(name, {})
-            if first in movers and (second in movers or second in users):
-                return False
-            if second in movers and first in users:
-                if not all(self._graph.tree.action(leaf).open_ended for leaf in users[first]):
-                    return False
-                strictest = True
-        return strictest
-
     def _one_after_the_other(self) -> None:
         for pair in self.pairs:
             for first, second in (pair, pair[::-1]):
                 literal = self._ordering.before(first, second)
-                waits = self.begun_is_enough(first, second)
+                waits = begun_is_enough(self._graph, first, second)
                 earlier = self._times.start[first] if waits else self._times.end[first]
                 self._model.at_least(self._times.start[second], earlier, 0, (literal,))
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from missiontree.scheduling.course import Course, passings
+from missiontree.scheduling.course import Course, begun_is_enough, passings
 from missiontree.scheduling.enumeration.state import State
-from missiontree.scheduling.precedence import TaskGraph
 from missiontree.scheduling.problem import Problem
 from missiontree.scheduling.room import order_of_events, turns
 
@@ -38,7 +37,7 @@ def course_of(problem: Problem, names: Sequence[str], state: State, under_way: M
     after_start: list[tuple[int, int]] = []
     for place, second in enumerate(state.placed):
         for first in state.placed[:place]:
-            begun = _begun_is_enough(graph, first, second)
+            begun = begun_is_enough(graph, first, second)
             if begun is not None:
                 (after_start if begun else after_end).append((first, second))
     if problem.sharing:
@@ -46,17 +45,3 @@ def course_of(problem: Problem, names: Sequence[str], state: State, under_way: M
         order = order_of_events(graph, spans, [*after_end, *passings(graph, tours)])
         after_end += turns(problem.sharing, spans, order)
     return Course(robots, tours, after_end, after_start, dict(under_way))
-
-
-def _begun_is_enough(graph: TaskGraph, first: int, second: int) -> bool | None:
-    """Whether the second need only wait for the first to begin, for the sake of what they move; None if not even that."""
-    waits: bool | None = None
-    for earlier in (graph.tree.action(leaf) for leaf in graph.activities[first]):
-        for later in (graph.tree.action(leaf) for leaf in graph.activities[second]):
-            if {*earlier.brings} & {*later.brings, later.at}:
-                return False
-            if earlier.at is not None and earlier.at in later.brings:
-                if not earlier.open_ended:
-                    return False
-                waits = True
-    return waits

@@ -112,7 +112,7 @@ class Putting:
         trips: dict[int, Trip | None] = {}
         for leaf, action in self._actions[activity]:
             robot, trip = robots[action.role], None
-            if action.moves or action.at is not None:
+            if action.is_somewhere:
                 goal = None if action.at is None else self._thing(state, action.at)[0]
                 if action.moves or goal is not None:
                     found = self._problem.trips.trip(action, state.spot[robot], goal)
@@ -180,7 +180,7 @@ class Putting:
         if action.at is not None:
             spot, since, needed = self._thing(state, action.at)
             state.things[action.at] = (spot, since, max(needed, start if action.open_ended else end))
-        if action.moves or action.at is not None:
+        if action.is_somewhere:
             state.spot[robot] = goal
         for name in action.brings:
             state.things[name] = (goal, end, self._thing(state, name)[2])

@@ -88,7 +88,7 @@ def _stop(problem: Problem, leaves: tuple[int, ...], lasts: list[int], lags: lis
     for place, leaf in enumerate(leaves):
         action, activity = graph.tree.action(leaf), graph.activity_of[leaf]
         takes = 0 if action.moves else ticks(action.duration_s)
-        if action.at is not None or action.moves:
+        if action.is_somewhere:
             spots = problem.places.of[leaf]
             if len(spots) > 1:
                 return None
