@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from missiontree.checking.case import Case
@@ -21,6 +22,8 @@ Choices = tuple[tuple[int, int], ...]
 
 def selections(tree: GroundedTree) -> list[Choices] | None:
     """Choices of every selection, in preorder; None if there are more than 2,000 below some node."""
+    if _too_many(tree):
+        return None
     below: dict[int, list[Choices]] = {}
     for node in range(len(tree.nodes) - 1, -1, -1):
         children = tree.children[node]
@@ -29,13 +32,20 @@ def selections(tree: GroundedTree) -> list[Choices] | None:
         else:
             ways = [()]
             for child in children:
-                if len(ways) * len(below[child]) > MOST_SELECTIONS:
-                    return None
                 ways = [(*first, *rest) for first in ways for rest in below[child]]
-        if len(ways) > MOST_SELECTIONS:
-            return None
         below[node] = ways
     return below[0]
+
+
+def _too_many(tree: GroundedTree) -> bool:
+    """Whether there are more than 2,000 selections below some node."""
+    number: dict[int, int] = {}
+    for node in range(len(tree.nodes) - 1, -1, -1):
+        numbers = [number[child] for child in tree.children[node]]
+        number[node] = sum(numbers) if tree.nodes[node].kind == "xor" else math.prod(numbers)
+        if number[node] > MOST_SELECTIONS:
+            return True
+    return False
 
 
 def best_first(case: Case) -> Iterator[Staffing | None]:

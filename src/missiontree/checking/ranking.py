@@ -28,7 +28,7 @@ def utility_of(staffing: Staffing, brief: MissionBrief) -> Fraction | float:
         return sum(counted)
     if brief.accumulate == "min":
         return Fraction(min(counted))
-    total = sum(map(Fraction, counted))
+    total = Fraction(sum(map(int, counted)))  # each is a whole number
     return total / len(counted) if brief.accumulate == "mean" else total
 
 

@@ -8,6 +8,7 @@ from functools import cached_property
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.grounded import Action, GroundedLink, GroundedTree
+from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
@@ -15,6 +16,9 @@ from missiontree.mission.tree import LinkKind, MissionTree
 from missiontree.rechecking.shortest import Ways
 
 TICK_MS = 1
+
+Places = tuple[Position | None, ...]
+"""Where something may be, None where that is unknown; more than one where the times do not tell which."""
 
 
 def milliseconds(seconds: float) -> int:
@@ -122,6 +126,11 @@ class Facts:
             for entity in action.brings:
                 kept.setdefault(entity, []).append(leaf)
         return kept
+
+    @cached_property
+    def places(self) -> dict[int, Places]:
+        """Where actions may be done, as far as :func:`missiontree.rechecking.places.places_of` was asked."""
+        return {}
 
     def together(self, leaf: int) -> list[int]:
         """The leaf, and what is joint with it."""

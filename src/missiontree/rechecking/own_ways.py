@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import OwnLeg
-from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
-from missiontree.rechecking.places import NEAR_M, Places, may_be_at
+from missiontree.rechecking.facts import TICK_MS, Facts, Places, broken, milliseconds
+from missiontree.rechecking.places import NEAR_M, may_be_at
 
 
 def leads(facts: Facts, leg: OwnLeg, rule: str, ends: tuple[Places, Position | None], free_ms: int) -> Iterator[Reason]:

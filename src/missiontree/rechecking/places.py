@@ -5,12 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from missiontree.mission.position import Position
-from missiontree.rechecking.facts import Facts
+from missiontree.rechecking.facts import Facts, Places
 
 NEAR_M = 1e-3
-
-Places = tuple[Position | None, ...]
-"""Where something may be, None where that is unknown; more than one where the times do not tell which."""
 
 
 def same_place(one: Position, other: Position) -> bool:
@@ -45,6 +42,8 @@ def places_of(facts: Facts, leaf: int) -> Places:
     Neither the action nor what it is joint with has moved anything when it starts, even if they take no time. More than one place is
     told only where the entity is moved in no time at the moment of the action or of another move of it: what comes first is not said.
     """
+    if leaf in facts.places:
+        return facts.places[leaf]
     found: dict[Position | None, None] = {}
     waiting, asked = [leaf], {leaf}
     while waiting:
@@ -54,7 +53,7 @@ def places_of(facts: Facts, leaf: int) -> Places:
         asked.update(moves)
         if not sure:
             found[_first_of(facts, facts.leaves[one].at)] = None
-    return tuple(found)
+    return facts.places.setdefault(leaf, tuple(found))
 
 
 def _last_moves(facts: Facts, leaf: int) -> tuple[list[int], bool]:

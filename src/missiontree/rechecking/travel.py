@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import TravelLeg
-from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
-from missiontree.rechecking.places import NEAR_M, Places, apart, may_be_at, places_of
+from missiontree.rechecking.facts import TICK_MS, Facts, Places, broken, milliseconds
+from missiontree.rechecking.places import NEAR_M, apart, may_be_at, places_of
 from missiontree.rechecking.walks import walk
 
 RULE = "core_travel"

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from missiontree.mission.schedule import Recharge
-from missiontree.rechecking.facts import Facts, milliseconds
-from missiontree.rechecking.places import Places, reached, start_of
+from missiontree.rechecking.facts import Facts, Places, milliseconds
+from missiontree.rechecking.places import reached, start_of
 
 Step = int | Recharge
 """An action, as its leaf, or a visit to a charger."""
