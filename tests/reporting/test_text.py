@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from missiontree import plan, plan_text
+from missiontree.mission.area import Area, Zone
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.position import Position
@@ -94,6 +96,21 @@ def test_why_a_mission_cannot_be_done_is_said_once() -> None:
     text = " ".join(plan_text(made).split())
     assert text.count("is blocked") == 1
     assert "Not offered" not in text
+
+
+def test_what_is_refused_twice_alike_is_told_once() -> None:
+    """Two goals of the same words: the crawler may enter the attic for neither."""
+    attic = Entity(id="attic", kind="place", position=Position(5, 0))
+    zone = Zone(id="upstairs", area=Area(corners=((4, -1), (6, -1), (6, 1), (4, 1))))
+    kinds = [
+        RobotType(id=name, count=1, capabilities={"reach": 1.0}, position=Position(0, 0))
+        for name in ("walker", "crawler")
+    ]
+    fleet = Fleet((kinds[0], replace(kinds[1], zones=())))
+    made = plan("Reach the attic. Reach the attic.", fleet=fleet, scene=Scene(places=(attic,), zones=(zone,)))
+    assert made.grounding is not None
+    assert len(made.grounding.not_offered) == 2
+    assert " ".join(plan_text(made).split()).count("crawler cannot do") == 1
 
 
 def test_a_long_team_is_told_by_what_sets_it_apart_from_the_best() -> None:

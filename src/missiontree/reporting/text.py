@@ -166,21 +166,22 @@ def _remarks(title: str, reasons: Sequence[Reason]) -> Iterator[RenderableType]:
 
 
 def _refusals(reasons: Sequence[Reason], plan: Plan) -> list[RenderableType]:
-    """Refusals that need a thought one by one, then plain lack of a capability, a line per routine and capability."""
-    lines: list[RenderableType] = []
+    """Refusals that need a thought one by one, then plain lack of a capability, a line per routine and capability; none twice."""
+    told: list[Text] = []
     lacking: dict[tuple[str, str], list[str]] = {}
     for reason in reasons:
         if reason.rule == "capability_missing" and reason.node and reason.robot:
             lacking.setdefault((reason.node, reason.needed), []).append(reason.robot)
         else:
-            lines.append(reason_line(reason))
+            told.append(reason_line(reason))
     whole = plan.partial.whole if plan.partial is not None else plan.tree
     nodes = whole.by_id if whole else {}
     types = plan.brief.fleet.by_id
     for (node, needed), robots in lacking.items():
         who = ", ".join(types[robot].label if robot in types else robot for robot in dict.fromkeys(robots))
         task = nodes[node].label if node in nodes else node
-        lines.append(Text.assemble(("✗", "red"), " ", words(f"{task}: no {needed} in {who}", "dim")))
+        told.append(Text.assemble(("✗", "red"), " ", words(f"{task}: no {needed} in {who}", "dim")))
+    lines: list[RenderableType] = [*{line.plain: line for line in told}.values()]
     if len(lines) > MAX_LINES:
         lines = [*lines[:MAX_LINES], Text(f"… and {len(lines) - MAX_LINES} more; --json lists them all", style="dim")]
     return lines
