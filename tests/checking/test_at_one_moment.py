@@ -126,3 +126,22 @@ def test_one_of_two_places_may_be_unknown() -> None:
     assert rules(short) == ["move_too_short"]
     assert rules(beside) == ["leg_origin_wrong"]
     assert [one.rule for one in recheck(short)] == [one.rule for one in recheck(beside)] == ["core_travel"]
+
+
+def test_of_two_that_take_it_apart_jointly_the_last_of_the_tree_has_it() -> None:
+    """Both take the box jointly, to the far corner and to the origin, at its 1 m/s; it is where the later leaf of the two brought it."""
+    tree = grounded(
+        and_(
+            leaf("there", role="x", at="far", moves=True, brings=("box",), sync=0),
+            leaf("here", role="y", at="here", moves=True, brings=("box",), sync=0),
+            leaf("use", role="z", at="box", duration_s=2),
+        ),
+        [("there", "use")],
+    )
+    both = leg(1, 0, 22.361, HERE, FAR, 22.361), leg(2, 0, 22.361, HERE, HERE, 0, "r-2")
+    actions = times((1, "r-1", 0, 22.361), (2, "r-2", 0, 22.361), (3, "r-3", 22.361, 24.361))
+    assert check(plan_of(tree, actions, *by_start(*both), fleet=team(3), scene=WORLD)) == ()
+    astray = leg(3, 0, 22.361, HERE, FAR, 22.361, "r-3")
+    plan = plan_of(tree, actions, *by_start(*both, astray), fleet=team(3), scene=WORLD)
+    assert rules(plan) == ["leg_destination_wrong"]
+    assert [one.rule for one in recheck(plan)] == ["core_travel"]

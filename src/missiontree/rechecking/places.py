@@ -62,7 +62,7 @@ def _last_moves(facts: Facts, leaf: int) -> tuple[list[int], bool]:
     brought = facts.bringing.get(facts.leaves[leaf].at or "", ())
     moves = [move for move in brought if move not in own and facts.end_ms[move] <= when_ms]
     possible, surely_ms = [], None
-    for move in sorted(moves, key=lambda move: (facts.end_ms[move], facts.start_ms[move]), reverse=True):
+    for move in sorted(moves, key=lambda move: (facts.end_ms[move], facts.start_ms[move], move), reverse=True):
         lasts = facts.start_ms[move] < facts.end_ms[move]
         if surely_ms is not None and (lasts or facts.end_ms[move] < surely_ms):
             break
