@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
+from operator import add, mul
 
 from missiontree.checking.case import Case
 from missiontree.checking.ranking import choice_key, team_of, utility_of
@@ -41,10 +41,12 @@ def _too_many(tree: GroundedTree) -> bool:
     """Whether there are more than 2,000 selections below some node."""
     number: dict[int, int] = {}
     for node in range(len(tree.nodes) - 1, -1, -1):
-        numbers = [number[child] for child in tree.children[node]]
-        number[node] = sum(numbers) if tree.nodes[node].kind == "xor" else math.prod(numbers)
-        if number[node] > MOST_SELECTIONS:
-            return True
+        together = add if tree.nodes[node].kind == "xor" else mul
+        number[node] = int(together is mul)
+        for child in tree.children[node]:
+            number[node] = together(number[node], number[child])
+            if number[node] > MOST_SELECTIONS:
+                return True
     return False
 
 
