@@ -65,7 +65,7 @@ def fast_engine() -> Engine:
     def column(values: Sequence[int]) -> Any:
         return np.array(values if len(values) else [0], dtype=np.int64)
 
-    engine = Engine(names["measure"], names["keep"], names["improve"], column, 2000)
+    engine = Engine(names["measure"], names["keep"], names["improve"], column, 100)
     _call_once(engine)
     return engine
 
