@@ -27,6 +27,7 @@ from missiontree.cli import (
     schema,
     show,
 )
+from missiontree.cli.collecting import collect_seldom
 from missiontree.cli.ending import end
 from missiontree.cli.exits import Exit, guarded
 from missiontree.cli.interrupt import interrupts
@@ -80,6 +81,7 @@ def options(
 def main() -> NoReturn:
     """Entry point of the command ``missiontree``: the process ends with it."""
     open_missing_streams()
+    collect_seldom()
     end(command_line())
 
 

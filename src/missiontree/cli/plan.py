@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from missiontree.cli import options
-from missiontree.cli.collecting import seldom_collected
 from missiontree.cli.exits import OUTCOMES
 from missiontree.cli.files import refuse_clashing, refuse_unwritable, save
 from missiontree.cli.gathering import author_named, budgets_from, gather
@@ -146,7 +145,7 @@ def command(
     _refuse_other_parts(request, made)
     line = LiveLine(quiet or as_json)
     kept = Kept("scheduling")
-    with seldom_collected(), controlled(time_limit, request.seed, line.report, kept) as control:
+    with controlled(time_limit, request.seed, line.report, kept) as control:
         with line:
             plan = plan_authored(request, made, control)
         kept.anything = True

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import typer
 
 from missiontree.cli import options
-from missiontree.cli.collecting import seldom_collected
 from missiontree.cli.exits import Exit
 from missiontree.cli.interrupt import controlled
 from missiontree.cli.screen import remark, show
@@ -78,23 +77,22 @@ def command(
     if k < 1:
         raise InputError(f"--k {k}", accepted="a whole number of at least 1")
     how = accumulate_named(accumulate)
-    with seldom_collected():
-        problem = _problem(file, budgets=not no_budgets, disjoint=disjoint)
-        if problem.not_kept and not as_json:
-            remark(problem.not_kept, colour)
-        aim = aimed(problem.aim, how, diverse)
-        allocate = allocator_for(allocator, aim)
-        started = perf_counter()
-        with controlled(time_limit, seed or 0) as control:
-            ranking = allocate(problem.flat, problem.fleet, problem.weights, k, control)
-            if ranking.status == "unknown" and control.stop():
-                raise KeyboardInterrupt
-            elapsed_s = perf_counter() - started
-            told = Told(problem.flat, ranking, allocator, k, seed or 0, time_limit, elapsed_s, problem.not_kept, aim)
-            if as_json:
-                typer.echo(json_of(told), nl=False)
-            else:
-                show(view_of(told), colour)
+    problem = _problem(file, budgets=not no_budgets, disjoint=disjoint)
+    if problem.not_kept and not as_json:
+        remark(problem.not_kept, colour)
+    aim = aimed(problem.aim, how, diverse)
+    allocate = allocator_for(allocator, aim)
+    started = perf_counter()
+    with controlled(time_limit, seed or 0) as control:
+        ranking = allocate(problem.flat, problem.fleet, problem.weights, k, control)
+        if ranking.status == "unknown" and control.stop():
+            raise KeyboardInterrupt
+        elapsed_s = perf_counter() - started
+        told = Told(problem.flat, ranking, allocator, k, seed or 0, time_limit, elapsed_s, problem.not_kept, aim)
+        if as_json:
+            typer.echo(json_of(told), nl=False)
+        else:
+            show(view_of(told), colour)
     return _exit(ranking)
 
 

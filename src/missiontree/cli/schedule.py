@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from missiontree.cli import options
-from missiontree.cli.collecting import seldom_collected
 from missiontree.cli.exits import Exit
 from missiontree.cli.interrupt import controlled
 from missiontree.cli.live import LiveLine
@@ -67,24 +66,23 @@ def command(
         raise InputError(f"--bound-share {bound_share:g}", accepted="a share from 0 to 1")
     if solver and not _solver_there() and not as_json:
         remark("CP-SAT is not installed (pip install ortools), so it is not asked", colour)
-    with seldom_collected():
-        form, instance = read_recognised(file)
-        started = perf_counter()
-        line = LiveLine(as_json)
-        with controlled(time_limit, seed or 0, line.report) as control:
-            with line:
-                asks = solver and _solver_there()
-                schedule = schedule_instance(instance, control, solver=asks, bound_share=bound_share)
-            elapsed = perf_counter() - started
-            hurried = control.stop() or (time_limit < SHORT_S and control.ended())
-            plan = _as_plan(instance, schedule, file.name, drawn=gantt is not None, hurried=hurried)
-            told = Told(form, instance, schedule, file.name, seed or 0, time_limit, elapsed, plan)
-            if as_json:
-                typer.echo(json_of(told), nl=False)
-            else:
-                show(view_of(told), colour)
-            for drawn in write_pictures(plan, asked) if plan is not None else ():
-                remark(f"written to {drawn}", colour)
+    form, instance = read_recognised(file)
+    started = perf_counter()
+    line = LiveLine(as_json)
+    with controlled(time_limit, seed or 0, line.report) as control:
+        with line:
+            asks = solver and _solver_there()
+            schedule = schedule_instance(instance, control, solver=asks, bound_share=bound_share)
+        elapsed = perf_counter() - started
+        hurried = control.stop() or (time_limit < SHORT_S and control.ended())
+        plan = _as_plan(instance, schedule, file.name, drawn=gantt is not None, hurried=hurried)
+        told = Told(form, instance, schedule, file.name, seed or 0, time_limit, elapsed, plan)
+        if as_json:
+            typer.echo(json_of(told), nl=False)
+        else:
+            show(view_of(told), colour)
+        for drawn in write_pictures(plan, asked) if plan is not None else ():
+            remark(f"written to {drawn}", colour)
     return Exit.CANNOT_BE_DONE if schedule.status == "infeasible" else Exit.DELIVERED
 
 
