@@ -22,7 +22,7 @@ from missiontree.allocation.exchanges import repaired
 from missiontree.allocation.kernel.columns import FINISHED, LAST, PAUSED
 from missiontree.allocation.pool import Pool, look_around, start
 from missiontree.allocation.purses import Purses
-from missiontree.allocation.searched import Scale, Searched, scale_of
+from missiontree.allocation.searched import AIMS, Scale, Searched, scale_of
 from missiontree.allocation.warming import engine_unless, is_warm
 from missiontree.mission.control import Control
 
@@ -62,7 +62,7 @@ def begun(core: Core, purses: Purses, rank: Sequence[int], pool: Pool, control: 
         Nothing has more utility (millionths).
     """
     plain = Searched(core, purses, rank, PLAIN, scale_of(core), (), False)
-    bound = plain.price(1)
+    bound = plain.price(1, aims=AIMS[:1])  # each aim begins anew, where its only step is the same as the others'
     way = repaired(core, purses, plain.advised())
     if way is not None:
         pool.offer(core.taken(way))

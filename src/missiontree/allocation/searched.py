@@ -124,12 +124,12 @@ class Searched:
         self.room.numbers[DESCENTS] = DESCENT if quick else 0  # nothing can interrupt them
         self._whole = -NEG
 
-    def price(self, steps: int = ROOT_STEPS, ended: Callable[[], bool] = never) -> int:
+    def price(self, steps: int = ROOT_STEPS, ended: Callable[[], bool] = never, aims: Sequence[float] = AIMS) -> int:
         """Look for good prices of the whole, until somebody says stop; the bound they prove, in millionths."""
         self.engine.reach(self.tree, self.room)
         bound = -NEG
         at_once = max(1, PRICED_IN_ONE_GO[self.engine.fast] // len(self.core))
-        for aim in AIMS:
+        for aim in aims:
             done = 0
             while not done or (done < steps and not self.room.numbers[SETTLED] and not ended()):
                 taken = min(at_once, steps - done, HURRIED_STEPS if ended() else steps)
