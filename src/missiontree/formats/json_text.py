@@ -27,22 +27,31 @@ def json_text(plain: Any) -> str:
     The outermost two levels are always broken; below them only what is longer than a line. A character that acts instead of
     being seen (a direction, a control, half of a pair) is written by its number, so that the text can always be encoded and shown.
     """
-    return _laid_out(plain, 0) + "\n"
+    return _laid_out(plain, 0, {}) + "\n"
 
 
-def _laid_out(plain: Any, level: int) -> str:
+def _laid_out(plain: Any, level: int, names: dict[str, str]) -> str:
+    """A value at a level; ``names`` remembers what members are called, for the same few names come again and again."""
     # Values nest a handful of levels deep (trees are lists of nodes), so recursion has a bound that no input can move.
     if not isinstance(plain, dict | list) or not plain:
         return _compact(plain)
-    if level >= _ALWAYS_BROKEN and len(text := _compact(plain)) + 2 * level <= _WIDTH:
+    if level >= _ALWAYS_BROKEN and _may_fit(plain) and len(text := _compact(plain)) + 2 * level <= _WIDTH:
         return text
     inner = "  " * (level + 1)
     if isinstance(plain, dict):
-        lines = [f"{inner}{_compact(key)}: {_laid_out(member, level + 1)}" for key, member in plain.items()]
+        for key in plain:
+            if key not in names:
+                names[key] = _compact(key)
+        lines = [f"{inner}{names[key]}: {_laid_out(member, level + 1, names)}" for key, member in plain.items()]
     else:
-        lines = [inner + _laid_out(member, level + 1) for member in plain]
+        lines = [inner + _laid_out(member, level + 1, names) for member in plain]
     start, end = "{}" if isinstance(plain, dict) else "[]"
     return start + "\n" + ",\n".join(lines) + "\n" + "  " * level + end
+
+
+def _may_fit(plain: dict[str, Any] | list[Any]) -> bool:
+    """Whether there are few enough entries for a line; each takes 3 characters at least, "0, ", or 7 with a name, "" included."""
+    return len(plain) * (7 if isinstance(plain, dict) else 3) <= _WIDTH
 
 
 def _compact(plain: Any) -> str:
