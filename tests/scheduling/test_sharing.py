@@ -265,6 +265,11 @@ def test_the_campaign_s_case_of_a_lift_given_up_at_one_moment_is_closed() -> Non
     assert judge(11, 6662).violations == ()
 
 
+def test_the_campaign_s_case_of_a_door_passed_through_in_no_time_is_closed() -> None:
+    """What is moved in no time, through a door with room for two, once somebody has begun at it who keeps the other place."""
+    assert judge(49, 4502).violations == ()
+
+
 @pytest.mark.parametrize("number", [806, 856])
 def test_what_happens_at_one_moment_is_taken_alike_by_schedulers_and_checkers(number: int) -> None:
     """A box that is moved on in no time just before joint work at it; something of no length at the moment of a hand-over."""

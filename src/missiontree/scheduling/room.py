@@ -89,7 +89,10 @@ def room_for(
 
 
 def order_of_events(
-    graph: TaskGraph, spans: Mapping[int, tuple[int, int]], more: Iterable[tuple[int, int]] = ()
+    graph: TaskGraph,
+    spans: Mapping[int, tuple[int, int]],
+    after_end: Iterable[tuple[int, int]] = (),
+    after_start: Iterable[tuple[int, int]] = (),
 ) -> dict[int, int]:
     """
     Which event comes before which, by times, and at one time by what must come first.
@@ -100,8 +103,8 @@ def order_of_events(
         Activities and their order.
     spans
         Start and end of every activity.
-    more
-        Further pairs of activities, the second starts no sooner than the first has ended.
+    after_end, after_start
+        Further pairs of activities: the second starts no sooner than the first has ended, or has started.
 
     Returns
     -------
@@ -109,8 +112,10 @@ def order_of_events(
         By event, its place; of unrelated ones at one time, ends come before starts. Events on a cycle are left out.
     """
     later = [list(after) for after in graph.successors]
-    for first, second in more:
+    for first, second in after_end:
         later[2 * first + 1].append(2 * second)
+    for first, second in after_start:
+        later[2 * first].append(2 * second)
     times = [0] * len(later)
     for activity, (start, end) in spans.items():
         times[2 * activity], times[2 * activity + 1] = start, end

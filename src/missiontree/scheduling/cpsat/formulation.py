@@ -153,17 +153,19 @@ class Formulation:
                 tours.setdefault(name, []).append(role)
         after_end, after_start = self._order_of_things(values)
         if self.problem.sharing:
-            after_end += self._turns(values, [*after_end, *passings(self.problem.graph, tours)])
+            after_end += self._turns(values, [*after_end, *passings(self.problem.graph, tours)], after_start)
         return Course(robots, tours, after_end, after_start, self._under_way(values))
 
-    def _turns(self, values: list[int], more: list[tuple[int, int]]) -> list[tuple[int, int]]:
-        """Who waits for whom at shared resources; ``more``: who comes after whom for other reasons."""
+    def _turns(
+        self, values: list[int], after_end: list[tuple[int, int]], after_start: list[tuple[int, int]]
+    ) -> list[tuple[int, int]]:
+        """Who waits for whom at shared resources, with who comes after whom for other reasons."""
         graph, times = self.problem.graph, self.times
         spans = {
             one: (_when(times.start[one], values), _when(times.end[one], values))
             for one in range(len(graph.activities))
         }
-        return turns(self.problem.sharing, spans, order_of_events(graph, spans, more))
+        return turns(self.problem.sharing, spans, order_of_events(graph, spans, after_end, after_start))
 
     def _hand_out(self, crew: Crew, staff: Staff | None, values: list[int]) -> dict[int, str]:
         """Robots of roles in order of their starts: those that were named, else the first that is free (interval colouring)."""

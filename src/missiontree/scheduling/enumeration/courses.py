@@ -42,6 +42,6 @@ def course_of(problem: Problem, names: Sequence[str], state: State, under_way: M
                 (after_start if begun else after_end).append((first, second))
     if problem.sharing:
         spans = {one: (state.starts[one], state.time[2 * one + 1]) for one in state.placed}
-        order = order_of_events(graph, spans, [*after_end, *passings(graph, tours)])
+        order = order_of_events(graph, spans, [*after_end, *passings(graph, tours)], after_start)
         after_end += turns(problem.sharing, spans, order)
     return Course(robots, tours, after_end, after_start, dict(under_way))
