@@ -265,6 +265,11 @@ def test_the_campaign_s_case_of_a_lift_given_up_at_one_moment_is_closed() -> Non
     assert judge(11, 6662).violations == ()
 
 
+def test_the_campaign_s_case_of_an_answer_that_nobody_can_play_through_is_closed() -> None:
+    """A door is held until something ends that needs it in no time; what is tried out anyway is found, and not called shortest."""
+    assert judge(50, 50425).violations == ()
+
+
 def test_the_campaign_s_case_of_a_door_passed_through_in_no_time_is_closed() -> None:
     """What is moved in no time, through a door with room for two, once somebody has begun at it who keeps the other place."""
     assert judge(49, 4502).violations == ()

@@ -87,7 +87,7 @@ class Improving:
             return self._written(proof)
         if proof is None and self._least_makespan(formulation):
             proof = self._confirmed() or self._tried(self._settings.last_steps)
-        if proof is None and self._best is None:
+        if proof is None and not self._closed():  # what the solver found, if anything, nobody could play through
             proof = self._tried(self._settings.last_steps, anyway=True)
         if self._best is not None and self._settings.tidy and (proof is not None or self._closed()):
             self._tidy(formulation)
