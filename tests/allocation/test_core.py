@@ -36,6 +36,23 @@ def test_a_way_and_what_it_amounts_to() -> None:
     assert boiled.taken(way) == {3: 2}
 
 
+def test_the_best_way_takes_the_first_of_equal_options_whatever_they_use() -> None:
+    """5 or 5 with 9 J of 5, and 1 or (2 and the better of 3 and 4): 5 + 2 + 4."""
+    boiled = core(
+        and_(
+            xor_(leaf("a", quality=5, uses={"energy_j": 9}), leaf("b", quality=5)),
+            xor_(
+                leaf("c", quality=1),
+                and_(leaf("d", quality=2), xor_(leaf("e", quality=3), leaf("f", quality=4, uses={"energy_j": 1}))),
+            ),
+        )
+    )
+    most, taken = boiled.best()
+    way, utility, used = boiled.way_under(len(boiled) - 1, taken)
+    assert (most, utility, used) == (11_000_000, 11_000_000, {0: 10})
+    assert [index for _, index in sorted(way.items(), key=lambda pick: boiled.options[pick[0]][0].xor)] == [0, 1, 1]
+
+
 def test_nested_ands_become_one_sum() -> None:
     pairs = [xor_(leaf(f"a{n}"), leaf(f"b{n}")) for n in range(4)]
     boiled = core(and_(and_(pairs[0], pairs[1]), and_(pairs[2], pairs[3])))

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
-from missiontree.allocation.flat import AMOUNT_SCALE, amount, flatten
+from missiontree.allocation.flat import AMOUNT_SCALE, EVERYBODY, amount, flatten
 from missiontree.errors import InputError
 from missiontree.mission.estimate import Weights
 from missiontree.mission.fleet import Fleet, Robot, RobotType
@@ -36,6 +38,18 @@ def test_columns_follow_the_tree() -> None:
 def test_uses_without_a_limit_are_left_out() -> None:
     tree = grounded(leaf("a", uses={"energy_j": 2, "water_l": 3}))
     assert flatten(tree, trivial_fleet(limits={"energy_j": 5}), Weights()).uses == ({"energy_j": 2 * AMOUNT_SCALE},)
+
+
+def test_what_a_leaf_takes_counts_for_its_type_and_for_the_mission() -> None:
+    """Each purse is told once, by number; the mission shares water alone, and a leaf without uses takes nothing."""
+    root = and_(leaf("a", "r", uses={"energy_j": 2, "water_l": 1}), leaf("b", "s", uses={"water_l": 3}), leaf("c", "r"))
+    fleet = trivial_fleet(("r", "s"), limits={"energy_j": 9, "water_l": 9})
+    charges = flatten(grounded(root), replace(fleet, total_limits={"water_l": 4}), Weights()).charges
+    assert charges.purses == (("r", "energy_j"), ("r", "water_l"), (EVERYBODY, "water_l"), ("s", "water_l"))
+    billion = 10**9
+    assert list(charges.of_leaf) == [
+        (), ((0, 2 * billion), (1, billion), (2, billion)), ((3, 3 * billion), (2, 3 * billion)), (),
+    ]  # fmt: skip
 
 
 def test_what_a_robot_has_left_overrides_its_type() -> None:

@@ -113,7 +113,7 @@ def test_no_time_still_proves_the_first_of_a_large_tree_that_nothing_couples(mon
 
 
 def test_a_stop_token_keeps_what_was_found() -> None:
-    answers = iter([False, False])
+    answers = iter([False, False, False])
     result = rank(binary_choices(3), control=Control(stop=lambda: next(answers, True)))
     # 3, then 2 three times: two are found and proven; the next would have been 2, and the pool has the other two.
     assert [alternative.utility for alternative in result.alternatives] == [3.0, 2.0, 2.0, 2.0]

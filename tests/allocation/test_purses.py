@@ -20,7 +20,7 @@ def test_only_what_can_be_overdrawn_is_a_purse() -> None:
     assert purses.names == (("r", "energy_j"),)
     # The greatest unit of 4 and 6 is 2, and 9 hold four of it.
     assert purses.limits == (4,)
-    assert [purses.of_leaf(flat, node) for node in range(len(flat.kind)) if flat.uses[node]] == [
+    assert [taken for taken, uses in zip(purses.of_leaves(flat), flat.uses, strict=True) if uses] == [
         ((0, 2),),
         (),
         ((0, 3),),

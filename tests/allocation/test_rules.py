@@ -123,8 +123,8 @@ def test_a_leaf_takes_from_the_purse_of_its_type_and_of_the_mission() -> None:
     assert purses.names == ((EVERYBODY, "energy_j"), ("a", "energy_j"))
     assert purses.limits == (8, 1)
     of_a, of_b = (flat.label.index(f"x by {name}") for name in "ab")
-    assert purses.of_leaf(flat, of_a) == ((1, 1), (0, 5))
-    assert purses.of_leaf(flat, of_b) == ((0, 2),)
+    assert purses.of_leaves(flat)[of_a] == ((1, 1), (0, 5))
+    assert purses.of_leaves(flat)[of_b] == ((0, 2),)
 
 
 def test_what_is_used_whatever_is_chosen_is_refused_before_the_search() -> None:

@@ -47,13 +47,13 @@ def boiled(tree: GroundedTree, fleet: Fleet, weights: Weights | None = None) -> 
 
 def ways_within(problem: Boiled) -> list[tuple[int, dict[int, int]]]:
     """Utility and choices of every way that keeps the purses, by plain counting."""
-    found = []
+    found, of_leaves = [], problem.purses.of_leaves(problem.flat)
     for selection in every_selection(problem.flat):
         if selection is None or not all(problem.possible[node] for node in selection.nodes):
             continue
         used = [0] * len(problem.purses.limits)
         for leaf in selection.leaves:
-            for purse, amount in problem.purses.of_leaf(problem.flat, leaf):
+            for purse, amount in of_leaves[leaf]:
                 used[purse] += amount
         if all(amount <= limit for amount, limit in zip(used, problem.purses.limits, strict=True)):
             places = {xor: problem.flat.children[xor].index(child) for xor, child in selection.choices}

@@ -13,7 +13,7 @@ from dataclasses import replace
 from missiontree.allocation.core import core_of
 from missiontree.allocation.coupling import couples
 from missiontree.allocation.feasibility import Feasibility
-from missiontree.allocation.flat import Flat, Purse
+from missiontree.allocation.flat import Flat
 from missiontree.allocation.item import choices_of
 from missiontree.allocation.pool import Pool
 from missiontree.allocation.possible import possible_nodes
@@ -36,13 +36,11 @@ def any_alternative(flat: Flat, control: Control) -> bool | None:
 
 def lean(flat: Flat) -> Flat:
     """The same problem, with a utility that is the higher, the less is used: millionths of what there is, of all budgets together."""
-    held: dict[Purse, int | None] = {}
+    held = [flat.held(purse) for purse in flat.charges.purses]
     utility = []
-    for leaf, uses in enumerate(flat.uses):
+    for uses in flat.charges.of_leaf:
         shares = 0
-        for purse, amount in flat.charges(leaf) if uses else ():
-            if purse not in held:
-                held[purse] = flat.held(purse)
+        for purse, amount in uses:
             limit = held[purse]
             if limit is not None:
                 shares += min(MICRO, MICRO * amount // max(1, limit))

@@ -9,15 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
-from missiontree.allocation.flat import Flat
-from missiontree.allocation.purses import Purses, Uses
+from missiontree.allocation.flat import Flat, Uses
+from missiontree.allocation.purses import Purses
 
 Way = dict[int, int]  # index of the option taken, by reached pick
 
 
-@dataclass(frozen=True, slots=True)
-class Option:
+class Option(NamedTuple):
     """
     One thing to pick.
 
@@ -107,6 +107,17 @@ class Core:
         """The picks of the way that takes the picked options below a part."""
         return {part: picked[part] for part in self.parts_under(top, picked) if self.options[part]}
 
+    def best(self) -> tuple[int, list[int]]:
+        """The most utility of any way, whatever it uses; by pick, the index of the option that it takes, the first of equal ones."""
+        most, taken = list(self.utility), [0] * len(self)
+        for part, options in enumerate(self.options):
+            if options:
+                taken[part] = max(range(len(options)), key=lambda index: most[options[index].part])
+                most[part] = most[options[taken[part]].part]
+            else:
+                most[part] += sum([most[below] for below in self.parts[part]])
+        return most[-1], taken
+
     def sums(self) -> Sums:
         """What there is below parts that have no choice among or below them; of others, nothing yet."""
         inner = [part for part, options in enumerate(self.options) if options or self.parts[part]]
@@ -166,26 +177,42 @@ class _Bundle:
 
 def core_of(flat: Flat, possible: Sequence[bool], purses: Purses) -> Core:
     """Boil down a tree whose root is possible."""
-    core, bundles = Core(), dict[int, _Bundle]()
-    for node in range(len(flat.kind) - 1, -1, -1):
-        if flat.kind[node] == "action":
-            if possible[node]:
-                bundles[node] = _Bundle(flat.utility[node], dict(purses.of_leaf(flat, node)), [])
+    core, leaf_uses, kind = Core(), purses.of_leaves(flat), flat.kind
+    bundles: dict[int, _Bundle] = {}  # of inner nodes; a leaf needs none of its own where it goes into an AND
+
+    def bundle_of(child: int) -> _Bundle:
+        if kind[child] == "action":
+            return _Bundle(flat.utility[child], dict(leaf_uses[child]), [])
+        return bundles.pop(child)
+
+    def option_of(xor: int, place: int, child: int) -> Option:
+        bundle = bundle_of(child)
+        if purses.turnouts:
+            bundle.uses.update(purses.of_choice(xor, child))
+        return Option(_part(core, bundle), xor, place, child)
+
+    for node in range(len(kind) - 1, -1, -1):
+        if kind[node] == "action":
             continue
-        below = [(place, child) for place, child in enumerate(flat.children[node]) if child in bundles]
+        children = flat.children[node]
         if not possible[node]:
-            for _, child in below:
-                del bundles[child]
-        elif flat.kind[node] == "and":
-            bundles[node] = _together([bundles.pop(child) for _, child in below])
-        elif len(below) == 1:
-            bundles[node] = bundles.pop(below[0][1])
+            for child in children:
+                bundles.pop(child, None)
+        elif kind[node] == "and":
+            whole = _together([bundles.pop(child) for child in children if kind[child] != "action"])
+            for child in children:
+                if kind[child] == "action":
+                    whole.utility += flat.utility[child]
+                    _add(whole.uses, leaf_uses[child])
+            bundles[node] = whole
         else:
-            for _, child in below if purses.turnouts else ():
-                bundles[child].uses.update(purses.of_choice(node, child))
-            options = [Option(_part(core, bundles.pop(child)), node, place, child) for place, child in below]
-            bundles[node] = _Bundle(0, {}, [core.add(options=tuple(options))])
-    core.end_at(_part(core, bundles[0]))
+            below = [(place, child) for place, child in enumerate(children) if possible[child]]
+            if len(below) == 1:
+                bundles[node] = bundle_of(below[0][1])
+            else:
+                options = tuple([option_of(node, place, child) for place, child in below])
+                bundles[node] = _Bundle(0, {}, [core.add(options=options)])
+    core.end_at(_part(core, bundle_of(0)))
     return core
 
 
@@ -240,9 +267,13 @@ def _together(bundles: list[_Bundle]) -> _Bundle:
         if bundle is not whole:
             whole.utility += bundle.utility
             whole.open += bundle.open
-            for purse, amount in bundle.uses.items():
-                whole.uses[purse] = whole.uses.get(purse, 0) + amount
+            _add(whole.uses, bundle.uses.items())
     return whole
+
+
+def _add(total: dict[int, int], uses: Iterable[tuple[int, int]]) -> None:
+    for purse, amount in uses:
+        total[purse] = total.get(purse, 0) + amount
 
 
 def _part(core: Core, bundle: _Bundle) -> int:

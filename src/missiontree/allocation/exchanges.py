@@ -79,7 +79,9 @@ class Around:
             for index, option in enumerate(options):
                 if index != taken:
                     other = self.fresh.used[option.part]
-                    change = {purse: other.get(purse, 0) - used.get(purse, 0) for purse in used.keys() | other.keys()}
+                    change = {purse: -amount for purse, amount in used.items()}
+                    for purse, amount in other.items():
+                        change[purse] = change.get(purse, 0) + amount
                     gain = self.fresh.utility[option.part] - self.sums.utility[part]
                     yield Exchange(pick, index, gain, change)
 
@@ -111,11 +113,12 @@ class Around:
 
     def relief(self, change: Mapping[int, int]) -> float:
         """By how much less the purses are overdrawn after the change, as shares of their limits."""
-        return sum(
-            (max(0, self.used[purse] - self.limits[purse]) - max(0, self.used[purse] + by - self.limits[purse]))
-            / max(1, self.limits[purse])
-            for purse, by in change.items()
-        )
+        less = 0.0
+        for purse, by in change.items():
+            left = self.limits[purse] - self.used[purse]
+            if left < 0 or by > left:
+                less += (max(0, -left) - max(0, by - left)) / max(1, self.limits[purse])
+        return less
 
     def move(self, wanted: Sequence[Exchange], repairing: bool) -> bool:
         """Make all wanted exchanges that still help and do not stand inside one another; whether there were any."""

@@ -7,12 +7,12 @@ leaf, so that every sum is exact and no rank or refusal hangs on the order of ad
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from heapq import nlargest
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from missiontree.allocation.timing import Timing, timing_of
 from missiontree.errors import InputError
@@ -28,6 +28,9 @@ EVERYBODY = ""
 
 Purse = tuple[str, str]
 """Robot type, or :data:`EVERYBODY`, and name of the budget."""
+
+Uses = tuple[tuple[int, int], ...]
+"""Number of a purse with an amount above 0, in the order in which a leaf names its budgets."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +98,22 @@ class Shared:
     source: Literal["fleet", "scene"]
 
 
+class Charges(NamedTuple):
+    """
+    What leaves take from purses.
+
+    Parameters
+    ----------
+    purses
+        All that some leaf takes from.
+    of_leaf
+        By node: numbers of purses with what it takes, in billionths; nothing for nodes that are no leaves.
+    """
+
+    purses: tuple[Purse, ...]
+    of_leaf: Sequence[Uses]
+
+
 @dataclass(frozen=True)
 class Flat:
     """
@@ -143,13 +162,22 @@ class Flat:
     timing: Timing | None = None
     hand_overs: frozenset[tuple[int, int]] = frozenset()
 
-    def charges(self, leaf: int) -> Iterator[tuple[Purse, int]]:
-        """What a leaf takes from its type's purses and from the mission's."""
-        type_id = self.robot_type[leaf]
-        for name, used in self.uses[leaf].items():
-            yield (type_id, name), used
-            if name in self.shared:
-                yield (EVERYBODY, name), used
+    @cached_property
+    def charges(self) -> Charges:
+        """What leaves take from their types' purses and from the mission's."""
+        purses: dict[Purse, int] = {}
+        known: dict[Purse, tuple[int, ...]] = {}
+        of_leaf: list[Uses] = []
+        for type_id, uses in zip(self.robot_type, self.uses, strict=True):
+            taken = []
+            for name, used in uses.items():
+                own = (type_id, name)
+                if own not in known:
+                    there = (own, (EVERYBODY, name)) if name in self.shared else (own,)
+                    known[own] = tuple(purses.setdefault(purse, len(purses)) for purse in there)
+                taken += [(purse, used) for purse in known[own]]
+            of_leaf.append(tuple(taken))
+        return Charges(tuple(purses), of_leaf)
 
     def held(self, purse: Purse) -> int | None:
         """No selection takes more from a purse than this; None if nothing limits it."""

@@ -149,17 +149,19 @@ class _Road:
         """All stages."""
         search, settings = self.search, self.settings
         patience = settings.max_examined if search.referee is None else settings.patience_with(self.flat)
-        if self._plainly(settings.max_examined, patience):
+        if not self.control.ended() and self._plainly(settings.max_examined, patience):
             return search.finished()
         if search.referee is None and len(self.flat.kind) >= LARGE:
             return search.finished() if self._hurriedly() else search.stopped(self._limit(0))
         purses = purses_of(self.flat, self.possible)
-        core, rank = core_of(self.flat, self.possible, purses), preorder(self.flat)
+        core = core_of(self.flat, self.possible, purses)
         if purses.names and takes_long_to_begin(core):
-            search.bound_by(begun(core, purses, rank, search.pool, self.control))
+            search.bound_by(begun(core, purses, search.pool, self.control))
             if self.control.ended() and search.pool.highest is not None:
                 return search.stopped(self._limit(0))
-        rounds = Rounds(core, purses, rank, search.pool, self.control, settings.max_nodes, settings.hands)
+        rounds = Rounds(
+            core, purses, preorder(self.flat), search.pool, self.control, settings.max_nodes, settings.hands
+        )
         if purses.names and not self._given_up(settings.max_examined):
             search.bound_by(rounds.bound)
             if rounds.run():

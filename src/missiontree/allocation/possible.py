@@ -11,11 +11,11 @@ must take part finds too few roles whatever is chosen, the mission is impossible
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 
-from missiontree.allocation.flat import AMOUNT_SCALE, Flat
+from missiontree.allocation.flat import AMOUNT_SCALE, Flat, Uses
 from missiontree.allocation.soonest import TooLate, reasons_of_lateness, strike_late
 from missiontree.allocation.turnout import turnouts
 from missiontree.allocation.wording import Holder, of_all_robots, of_one_robot, of_the_mission, of_types, type_idle
@@ -25,10 +25,6 @@ MISSION = "*"  # stands for all robots in a purse that the mission limits, as ""
 Purse = tuple[
     str, int, str
 ]  # robot type ("" or MISSION for all of them), role (-1 for all of them), name of the budget
-
-_NOTHING: dict[
-    Purse, int
-] = {}  # stands for parts that use nothing; nobody writes into it, for it is never the largest of unequal ones
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,10 +64,9 @@ def structurally_possible(flat: Flat) -> list[bool]:
     """Which nodes can be done if budgets, teams and links are left aside."""
     possible = [True] * len(flat.kind)
     for node in range(len(flat.kind) - 1, -1, -1):
-        if flat.kind[node] == "xor":
-            possible[node] = any(possible[child] for child in flat.children[node])
-        elif flat.kind[node] == "and":
-            possible[node] = all(possible[child] for child in flat.children[node])
+        if flat.kind[node] != "action":
+            judge = any if flat.kind[node] == "xor" else all
+            possible[node] = judge(map(possible.__getitem__, flat.children[node]))
     return possible
 
 
@@ -81,23 +76,31 @@ def possible_nodes(flat: Flat) -> Possibility:
     found = Possibility(possible, late=strike_late(flat, possible))
     if not any(flat.uses):
         return _with_required(flat, found)
-    limits = _Limits(flat)
-    least: dict[int, dict[Purse, int]] = {}
-    for node in range(len(flat.kind) - 1, -1, -1):
-        below = [least.pop(child, _NOTHING) for child in flat.children[node] if possible[child]]
-        if flat.kind[node] == "action":
-            use, touched = limits.charge(node), None
-        elif flat.kind[node] == "and":
-            possible[node] = len(below) == len(flat.children[node])
-            use, touched = _sum(below) if possible[node] else ({}, None)
-        else:
+    limits, kind = _Limits(flat), flat.kind
+    least: dict[int, dict[int, int]] = {}  # of inner nodes
+    charged: dict[int, Uses] = {}  # of leaves
+    for node in range(len(kind) - 1, -1, -1):
+        use: dict[int, int] = {}
+        over: list[int] = []
+        if kind[node] == "action":
+            if flat.uses[node] and possible[node]:
+                charged[node] = limits.charge(node)
+                over = [purse for purse, used in charged[node] if used > limits.held[purse]]
+                use = dict(charged.pop(node)) if over else use
+        elif kind[node] == "xor":
+            below = [child for child in flat.children[node] if possible[child]]
             possible[node] = bool(below)
-            use, touched = _minimum(below), set[Purse]()  # a minimum is no larger than what passed below
-        if not possible[node]:
-            continue
-        if (excess := limits.excess(node, use, touched)) is not None:
+            # A minimum is no larger than what passed below.
+            use = _minimum([least.pop(child) if child in least else dict(charged.pop(child, ())) for child in below])
+        elif all(map(possible.__getitem__, flat.children[node])):
+            parts = [least.pop(child) for child in flat.children[node] if child in least]
+            leaves = [charged.pop(child) for child in flat.children[node] if child in charged]
+            use, over = _sum(parts, leaves, limits.held)
+        else:
             possible[node] = False
-            found.excesses.append(excess)
+        if over:
+            possible[node] = False
+            found.excesses.append(limits.excess(node, use, over))
         elif use:
             least[node] = use
     return _with_required(flat, found)
@@ -111,47 +114,61 @@ def _with_required(flat: Flat, found: Possibility) -> Possibility:
     return replace(found, possible=[False] * len(flat.kind), idle=idle) if idle else found
 
 
-def _sum(parts: list[dict[Purse, int]]) -> tuple[dict[Purse, int], set[Purse]]:
-    """The sum, written into the largest part, and the purses whose sum has more than one term."""
-    if not parts:
-        return {}, set()
-    largest = max(range(len(parts)), key=lambda index: len(parts[index]))
-    total, touched = parts[largest], set()
-    for index, part in enumerate(parts):
-        if index != largest:
-            for purse, used in part.items():
-                if purse in total:
-                    touched.add(purse)
-                total[purse] = total.get(purse, 0) + used
-    return total, touched
+def _sum(parts: list[dict[int, int]], leaves: list[Uses], held: Sequence[int]) -> tuple[dict[int, int], list[int]]:
+    """The sum, written into the largest part, and the purses that hold each term and not the sum."""
+    total, over = max(parts, key=len, default={}), list[int]()
+    for uses in (*[part.items() for part in parts if part is not total], *leaves):
+        for purse, used in uses:
+            if purse in total:
+                total[purse] += used
+                if total[purse] > held[purse]:
+                    over.append(purse)
+            else:
+                total[purse] = used
+    return total, over
 
 
-def _minimum(parts: list[dict[Purse, int]]) -> dict[Purse, int]:
+def _minimum(parts: list[dict[int, int]]) -> dict[int, int]:
     if len(parts) == 1:
         return parts[0]
     smallest = min(parts, key=len, default={})
-    return {purse: min(part[purse] for part in parts) for purse in smallest if all(purse in part for part in parts)}
+    found: dict[int, int] = {}
+    for purse in smallest:
+        uses = [part[purse] for part in parts if purse in part]
+        if len(uses) == len(parts):
+            found[purse] = min(uses)
+    return found
 
 
 class _Limits:
-    """How much each purse holds."""
+    """The purses by number, and how much each holds."""
 
     def __init__(self, flat: Flat) -> None:
         self.flat = flat
-        self.pooled: dict[tuple[str, str], int | None] = {}
-        self.largest: dict[tuple[str, str], int | None] = {}
-        self.everywhere: dict[str, int] = {}
-        self._known: dict[Purse, int | None] = {}
+        self.purses: list[Purse] = []
+        self.held: list[int] = []
+        self._numbers: dict[Purse, int] = {}
         self._leaves_of = Counter(role for role, uses in zip(flat.role, flat.uses, strict=True) if uses)
-        used = {(flat.robot_type[leaf], name) for leaf, uses in enumerate(flat.uses) for name in uses}
-        for type_id, name in sorted(used):
-            stock = flat.stocks[type_id]
-            self.pooled[type_id, name] = stock.pooled(name)
-            self.largest[type_id, name] = stock.largest(name)
-            self.everywhere[name] = self.everywhere.get(name, 0) + (self.pooled[type_id, name] or 0)
-        self._of_all = {key: self._purses_of_all(*key) for key in used}
+        used = sorted({(flat.robot_type[leaf], name) for leaf, uses in enumerate(flat.uses) for name in uses})
+        pooled = {(type_id, name): flat.stocks[type_id].pooled(name) for type_id, name in used}
+        self._largest = {(type_id, name): flat.stocks[type_id].largest(name) for type_id, name in used}
+        everywhere: dict[str, int] = {}
+        for (_, name), limit in pooled.items():
+            everywhere[name] = everywhere.get(name, 0) + (limit or 0)
+        self._of_all: dict[tuple[str, str], tuple[int, ...]] = {}
+        for (type_id, name), limit in pooled.items():
+            filled = [((type_id, -1, name), limit), (("", -1, name), everywhere[name])] if limit is not None else []
+            filled += [((MISSION, -1, name), flat.shared[name].limit)] if name in flat.shared else []
+            self._of_all[type_id, name] = tuple(self._number(purse, held) for purse, held in filled)
 
-    def charge(self, leaf: int) -> dict[Purse, int]:
+    def _number(self, purse: Purse, held: int) -> int:
+        number = self._numbers.setdefault(purse, len(self.purses))
+        if number == len(self.purses):
+            self.purses.append(purse)
+            self.held.append(held)
+        return number
+
+    def charge(self, leaf: int) -> Uses:
         """
         What a leaf takes from whom.
 
@@ -159,44 +176,19 @@ class _Limits:
         nothing.
         """
         type_id, role = self.flat.robot_type[leaf], self.flat.role[leaf]
-        charged: dict[Purse, int] = {}
+        charged: list[tuple[int, int]] = []
         for name, used in self.flat.uses[leaf].items():
-            largest = self.largest[type_id, name]
+            largest = self._largest[type_id, name]
             if largest is not None and (used > largest or self._leaves_of[role] > 1):
-                charged[type_id, role, name] = used
+                charged.append((self._number((type_id, role, name), largest), used))
             for purse in self._of_all[type_id, name]:
-                charged[purse] = used
-        return charged
+                charged.append((purse, used))
+        return tuple(charged)
 
-    def _purses_of_all(self, type_id: str, name: str) -> tuple[Purse, ...]:
-        """Those that robots of the type fill together, with others or without."""
-        of_types: tuple[Purse, ...] = ((type_id, -1, name), ("", -1, name))
-        of_mission: tuple[Purse, ...] = ((MISSION, -1, name),)
-        pooled = self.pooled[type_id, name] is not None
-        return (of_types if pooled else ()) + (of_mission if name in self.flat.shared else ())
-
-    def excess(self, node: int, use: Mapping[Purse, int], touched: set[Purse] | None) -> Excess | None:
-        over = [
-            purse
-            for purse in (use if touched is None else touched)
-            if (limit := self._held(purse)) is not None and use[purse] > limit
-        ]
-        if not over:
-            return None
-        # One type's purse first: what a single type lacks is not to be told of all types together.
-        first = min(over, key=lambda purse: (purse[0] in {"", MISSION}, purse))
-        return Excess(node, first, use[first], self._known[first] or 0)
-
-    def _held(self, purse: Purse) -> int | None:
-        if purse not in self._known:
-            type_id, role, name = purse
-            if not type_id:
-                self._known[purse] = self.everywhere[name]
-            elif type_id == MISSION:
-                self._known[purse] = self.flat.shared[name].limit
-            else:
-                self._known[purse] = (self.pooled if role < 0 else self.largest)[type_id, name]
-        return self._known[purse]
+    def excess(self, node: int, use: Mapping[int, int], over: Iterable[int]) -> Excess:
+        """The first of the overdrawn purses: one type's, since what a single type lacks is not to be told of all types together."""
+        first = min(over, key=lambda purse: (self.purses[purse][0] in {"", MISSION}, self.purses[purse]))
+        return Excess(node, self.purses[first], use[first], self.held[first])
 
 
 def reasons_of(flat: Flat, possibility: Possibility, severity: Severity, limit: int = 8) -> tuple[Reason, ...]:

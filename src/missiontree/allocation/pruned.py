@@ -22,7 +22,7 @@ from itertools import product
 
 from missiontree.allocation.coupling import couples
 from missiontree.allocation.feasibility import Feasibility, Verdict
-from missiontree.allocation.flat import Flat, Purse, flatten
+from missiontree.allocation.flat import Flat, flatten
 from missiontree.allocation.item import Item, choices_of
 from missiontree.allocation.possible import structurally_possible
 from missiontree.allocation.refusals import Refusals
@@ -39,7 +39,8 @@ from missiontree.mission.search_limit import SearchLimit
 
 METHOD = "algorithm_1"
 
-Uses = Mapping[Purse, int]
+Uses = Mapping[int, int]
+"""By number of the purse, in billionths."""
 
 
 class Way(Item):
@@ -111,7 +112,8 @@ class _Combiner:
 
     def __init__(self, flat: Flat, rho: int, settings: Pruned, control: Control) -> None:
         self.flat, self.rho, self.settings, self.control = flat, rho, settings, control
-        self.limits: dict[Purse, int | None] = {}
+        self.charges = flat.charges
+        self.limits = [flat.held(purse) for purse in self.charges.purses]
 
     def ways_of_root(self) -> list[Way]:
         """The ways kept at the root, best first."""
@@ -129,7 +131,7 @@ class _Combiner:
         return kept[0]
 
     def _leaf(self, leaf: int) -> Way:
-        return Way(self.flat.utility[leaf], dict(self.flat.charges(leaf)))
+        return Way(self.flat.utility[leaf], dict(self.charges.of_leaf[leaf]))
 
     def _pool(self, xor: int, below: list[list[Way]]) -> Iterator[Way]:
         for place, ways in enumerate(below):
@@ -162,8 +164,6 @@ class _Combiner:
 
     def _within(self, uses: Uses) -> bool:
         for purse, used in uses.items():
-            if purse not in self.limits:
-                self.limits[purse] = self.flat.held(purse)
             limit = self.limits[purse]
             if limit is not None and used > limit:
                 return False

@@ -11,13 +11,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 from math import gcd
 
-from missiontree.allocation.flat import Flat, Purse
+from missiontree.allocation.flat import Flat, Purse, Uses
 from missiontree.allocation.turnout import Turnout, turnouts
 
-Uses = tuple[tuple[int, int], ...]  # (index of the purse, amount), amounts above 0
 TAKING_PART = ""
 """Stands in a purse for what a required type falls short of, where other purses name a budget."""
 
@@ -44,18 +42,16 @@ class Purses:
     units: tuple[int, ...]
     turnouts: tuple[Turnout, ...] = field(default=(), repr=False)
 
-    @cached_property
-    def _index(self) -> dict[Purse, int]:
-        return {name: index for index, name in enumerate(self.names)}
-
-    def of_leaf(self, flat: Flat, leaf: int) -> Uses:
-        """What the leaf takes from which purse: its type's, the mission's, or both."""
-        index, units, found = self._index, self.units, list[tuple[int, int]]()
-        for purse, amount in flat.charges(leaf) if flat.uses[leaf] else ():
-            place = index.get(purse)
-            if place is not None:
-                found.append((place, amount // units[place]))
-        return tuple(found)
+    def of_leaves(self, flat: Flat) -> list[Uses]:
+        """By node, what a leaf takes from which purse: its type's, the mission's, or both."""
+        charges, index = flat.charges, {name: place for place, name in enumerate(self.names)}
+        places = [index.get(purse, -1) for purse in charges.purses]
+        return [
+            tuple((place, amount // self.units[place]) for purse, amount in uses if (place := places[purse]) >= 0)
+            if uses
+            else ()
+            for uses in charges.of_leaf
+        ]
 
     def of_choice(self, xor: int, child: int) -> Uses:
         """What taking the child of an XOR takes from which purse, beside what is below it."""
@@ -66,36 +62,44 @@ class Purses:
 
 def purses_of(flat: Flat, possible: Sequence[bool]) -> Purses:
     """The purses that some way through the possible nodes overdraws, or might."""
-    most = _most(flat, possible)
-    limits = {purse: flat.held(purse) for purse in most}
-    binding = {purse: limit for purse, limit in sorted(limits.items()) if limit is not None and most[purse] > limit}
-    units = dict.fromkeys(binding, 0)
-    for node, uses in enumerate(flat.uses):
-        if possible[node]:
-            for purse, amount in flat.charges(node) if uses else ():
+    charges, most = flat.charges, _most(flat, possible)
+    binding: dict[Purse, int] = {}
+    units: dict[int, int] = {}
+    for name, purse in sorted((charges.purses[purse], purse) for purse in most):
+        limit = flat.held(name)
+        if limit is not None and most[purse] > limit:
+            binding[name], units[purse] = limit, 0
+    for node, uses in enumerate(charges.of_leaf):
+        if uses and possible[node]:
+            for purse, amount in uses:
                 if purse in units:
                     units[purse] = gcd(units[purse], amount)
     doubtful = tuple(turnout for turnout in turnouts(flat, possible) if not turnout.certain)
     return Purses(
         names=(*binding, *((turnout.type_id, TAKING_PART) for turnout in doubtful)),
-        limits=(*(limit // units[purse] for purse, limit in binding.items()), *(turnout.spare for turnout in doubtful)),
+        limits=(
+            *(limit // unit for limit, unit in zip(binding.values(), units.values(), strict=True)),
+            *(turnout.spare for turnout in doubtful),
+        ),
         units=(*units.values(), *(1 for _ in doubtful)),
         turnouts=doubtful,
     )
 
 
-def _most(flat: Flat, possible: Sequence[bool]) -> Mapping[Purse, int]:
+def _most(flat: Flat, possible: Sequence[bool]) -> Mapping[int, int]:
     """What the whole tree uses at most: a sum at an AND, a maximum over the possible children at an XOR."""
-    if not any(flat.uses):
-        return {}
-    most: dict[int, dict[Purse, int]] = {}
-    for node in range(len(flat.kind) - 1, -1, -1):
-        below = [most.pop(child) for child in flat.children[node] if child in most]
-        if not possible[node]:
+    most: dict[int, dict[int, int]] = {}
+    of_leaf = flat.charges.of_leaf if flat.charges.purses else ()
+    for node in range(len(of_leaf) - 1, -1, -1):
+        children = flat.children[node]
+        if not children:
+            if of_leaf[node] and possible[node]:
+                most[node] = dict(of_leaf[node])
             continue
-        use = dict(flat.charges(node)) if flat.uses[node] else {}
-        if below:
-            use = max(below, key=len)  # the smaller go into the larger, so that deep trees stay cheap
+        below = [most.pop(child) for child in children if child in most]
+        if not below or not possible[node]:
+            continue
+        use = max(below, key=len)  # the smaller go into the larger, so that deep trees stay cheap
         together = flat.kind[node] == "and"
         for part in below:
             if part is use:
@@ -106,6 +110,5 @@ def _most(flat: Flat, possible: Sequence[bool]) -> Mapping[Purse, int]:
                     use[purse] = before + amount
                 elif amount > before:
                     use[purse] = amount
-        if use:
-            most[node] = use
+        most[node] = use
     return most.get(0, {})

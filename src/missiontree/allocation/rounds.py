@@ -22,7 +22,7 @@ from missiontree.allocation.exchanges import repaired
 from missiontree.allocation.kernel.columns import FINISHED, LAST, PAUSED
 from missiontree.allocation.pool import Pool, look_around, start
 from missiontree.allocation.purses import Purses
-from missiontree.allocation.searched import AIMS, Scale, Searched, scale_of
+from missiontree.allocation.searched import Scale, Searched, scale_of
 from missiontree.allocation.warming import engine_unless, is_warm
 from missiontree.mission.control import Control
 
@@ -52,23 +52,22 @@ def takes_long_to_begin(core: Core) -> bool:
     return LARGE <= len(core) < GIANT and can_compile() and not is_warm()
 
 
-def begun(core: Core, purses: Purses, rank: Sequence[int], pool: Pool, control: Control) -> int:
+def begun(core: Core, purses: Purses, pool: Pool, control: Control) -> int:
     """
     Put one way into the pool by plain means, even when time is up, and then wait for the compiled functions, until it is.
 
     Returns
     -------
     int
-        Nothing has more utility (millionths).
+        Nothing has more utility (millionths): the best way, whatever it uses.
     """
-    plain = Searched(core, purses, rank, PLAIN, scale_of(core), (), False)
-    bound = plain.price(1, aims=AIMS[:1])  # each aim begins anew, where its only step is the same as the others'
-    way = repaired(core, purses, plain.advised())
+    best, advised = core.best()
+    way = repaired(core, purses, advised)
     if way is not None:
         pool.offer(core.taken(way))
     if not control.ended():
         engine_unless(control.ended)
-    return bound
+    return best
 
 
 class Rounds:
