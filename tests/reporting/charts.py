@@ -18,6 +18,7 @@ from missiontree.mission.grounded import Grounding
 from missiontree.mission.plan import Plan, Provenance
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import Schedule
+from missiontree.mission.terms import NO_TERMS, Terms
 from missiontree.reporting.text_box import text_width
 from missiontree.routines.library import built_in
 from missiontree.scheduling.greedy import greedy
@@ -50,11 +51,10 @@ def plan_of(instance: Instance, schedule: Schedule, fleet: Fleet, words: str = "
     )
 
 
-def planned(instance: Instance, fleet: Fleet, world: Scene | None = None) -> Plan:
+def planned(instance: Instance, fleet: Fleet, world: Scene | None = None, terms: Terms = NO_TERMS) -> Plan:
     """A plan with the greedy schedule of an instance."""
-    return plan_of(
-        instance, greedy(instance.tree, instance.alternative, fleet, world or Scene(), Control(seed=1)), fleet
-    )
+    schedule = greedy(instance.tree, instance.alternative, fleet, world or Scene(), Control(seed=1), terms)
+    return plan_of(instance, schedule, fleet)
 
 
 def worded(instance: Instance, texts: list[str]) -> Instance:

@@ -15,6 +15,7 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.plan import Plan
 from missiontree.mission.reason import Reason
 from missiontree.mission.schedule import Schedule, ScheduledAction
+from missiontree.mission.terms import Terms
 from missiontree.reporting.gantt.layout import MIN_BAR
 from missiontree.reporting.gantt.view import gantt_svg
 from missiontree.reporting.palette import HUES
@@ -84,6 +85,35 @@ def test_a_move_tells_its_metres_and_a_way_stands_before_its_action() -> None:
     assert any(title.startswith("A.0\na-1, 0 s to 3 s (3 s)") and title.endswith("6.0 m") for title in titles)
     assert "on the way to: A.1\na-1, 3 s to 7 s\n8.0 m" in titles
     assert {"A.0 · 6 m", "8 m"} <= {one.text for one in words_in(root)}
+
+
+def going_home(*works: int) -> Plan:
+    """Works at p, 60 m from home at 1 m/s: there and back takes 120 s."""
+    instance = mission([Part("A", "a", [work(each, at="p") for each in works])])
+    fleet = Fleet((robots("a", speed=1.0, position=at(0)),))
+    return planned(instance, fleet, scene(p=60), Terms(return_home=True))
+
+
+def test_metres_of_the_way_home_keep_off_the_line_at_the_end() -> None:
+    """60 of 2,000 s are too little for the words, which begin before their way."""
+    root = parsed(gantt_svg(going_home(1880), 1))
+    right = axis_of(root)[1]
+    (words,) = (one for one in words_in(root) if one.text == "home, 60 m")
+    home = right - 0.03 * (right - axis_of(root)[0])
+    assert words.left < home
+    assert home < words.right < right
+
+
+def test_metres_make_way_for_a_number_and_stay_under_their_way() -> None:
+    """The second of two works, 2 of 700 s, is numbered; in the middle of the 60 s after it the words would touch the number."""
+    root = parsed(gantt_svg(going_home(578, 2), 1))
+    left, right = axis_of(root)
+    (number,) = (one for one in words_in(root) if one.text == "1" and one.left > (left + right) / 2)
+    (words,) = (one for one in words_in(root) if one.text == "home, 60 m")
+    way = (right - 60 / 700 * (right - left), right)
+    assert words.left > number.right + 5
+    assert (words.left + words.right) / 2 > sum(way) / 2 + 1
+    assert words.right < right
 
 
 def test_waiting_is_dotted_and_says_for_what() -> None:

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import Literal, NamedTuple
 
-from missiontree.reporting.gantt.content import Bar, Row
+from missiontree.reporting.gantt.content import Bar, Row, Stretch
 from missiontree.reporting.gantt.layout import BOLD, FOOT, Density, Scale
 from missiontree.reporting.svg_page import middle_cut
 from missiontree.reporting.text_box import balanced, text_width
@@ -24,6 +24,8 @@ INSET = 5.0
 HEAD = 9.0
 """Room that the head of an arrow takes before the bar it points at."""
 GAP = 6.0
+CLEAR = 3.0
+"""Room between words below the bars and the line at the end."""
 SMALL = 10.0
 """Font size of words on two lines, of numbers and of metres."""
 LINE = 11.5
@@ -64,13 +66,10 @@ class Letterer:
     ----------
     scale, density
         Where things stand.
-    limit
-        Right edge of the picture, margin taken off.
     """
 
     scale: Scale
     density: Density
-    limit: float
 
     def lettered(self, row: Row, goals: Sequence[float] = ()) -> Lettering:
         """The words that fit into a row: of its roles, its bars and its waits; ``goals``: where arrows end, sorted."""
@@ -109,15 +108,27 @@ class Letterer:
         words += [word for word, _, _ in placed]
         taken = [(left, right) for _, left, right in placed]
         for way in (*row.refills, *row.ways):
-            left, right = self._spread(way.label, (self.scale.x(way.start_s) + self.scale.x(way.end_s)) / 2)
-            if way.label and all(right + GAP <= low or high + GAP <= left for low, high in taken):
-                taken.append((left, right))
+            room = self._free(way, taken) if way.label else None
+            if room is not None:
+                left, right = room
+                taken.append(room)
                 held = any(
                     self.scale.x(role.start_s) <= left and right <= self.scale.x(role.end_s) for role in row.roles
                 )
                 spot: Spot = "way" if held else "aside"
                 words.append(Word((left + right) / 2, self._under, way.label, SMALL, "middle", spot))
         return words
+
+    def _free(self, way: Stretch, taken: Sequence[tuple[float, float]]) -> tuple[float, float] | None:
+        """Where words below a way touch no others: in its middle, else as near to it as there is room with theirs below the way."""
+        begin, end = self.scale.x(way.start_s), self.scale.x(way.end_s)
+        middle, width = (begin + end) / 2, text_width(way.label, SMALL) * BOLD
+        beside = [side for low, high in taken for side in (low - GAP - width / 2, high + GAP + width / 2)]
+        near = sorted((one for one in beside if begin <= one <= end), key=lambda one: abs(one - middle))
+        for left, right in (self._spread(way.label, one) for one in (middle, *near)):
+            if all(right + GAP <= low + 1e-6 or high + GAP <= left + 1e-6 for low, high in taken):
+                return left, right
+        return None
 
     def _middle(self, bar: Bar) -> float:
         """The height in a bar that words are centred on: a move has stripes at its foot."""
@@ -188,9 +199,9 @@ class Letterer:
         return []
 
     def _spread(self, text: str, middle: float) -> tuple[float, float]:
-        """Left and right of words below the bars, moved so that they stay in the picture."""
+        """Left and right of words below the bars, moved so that they stay between the names and the line at the end."""
         width = text_width(text, SMALL) * BOLD
-        left = min(max(middle - width / 2, self.scale.left), self.limit - width)
+        left = max(min(middle - width / 2, self.scale.right - CLEAR - width), self.scale.left)
         return left, left + width
 
     def _packed(self, tags: Sequence[tuple[list[int], float]]) -> list[tuple[Word, float, float]]:

@@ -56,7 +56,7 @@ def _chart(plan: Plan, schedule: Schedule, width: float, prefix: str) -> Chart:
     right = width - MARGIN - axis.end_width(content.makespan_s) / 2
     scale = Scale(left, right, content.makespan_s)
     drawn = shown(content, scale)
-    letterer = Letterer(scale, density, width - MARGIN)
+    letterer = Letterer(scale, density)
     goals = [_goals(row, content, scale) for row in drawn.rows]
     lettered = [letterer.lettered(row, own) for row, own in zip(drawn.rows, goals, strict=True)]
     unfit = [(at, index) for at, one in enumerate(lettered) for index in one.unfit] if density.notes else []
