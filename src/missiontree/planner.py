@@ -7,7 +7,7 @@ Each step is a function from frozen value to frozen value; what takes long is gi
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -216,12 +216,14 @@ def check_methods(request: Request) -> None:
 def plan_authored(request: Request, authored: Authored, control: Control) -> Plan:
     """The rest of the road, for a mission whose tree is built (:func:`author`)."""
     if authored.status != "complete" or authored.tree is None:
-        return _told(request, authored)
+        return _told(request, authored, input_digests(request.brief, authored.tree))
     begun = control.clock()
     grounding = ground(authored.tree, request.brief, request.estimator)
     scene = request.brief.world.extended(authored.tree.entities)
     checking_s = (control.clock() - begun) * (CHECKING + CHECKING_EACH * request.k)
-    known = regrounding(authored.tree, request.brief, grounding.estimates)  # for the checker, while there is time
+    # What the inputs alone tell, for the checker and for the plan, while there is time.
+    known = regrounding(authored.tree, request.brief, grounding.estimates)
+    digests = input_digests(request.brief, authored.tree)
     work = control.without(checking_s, MOST_FOR_CHECKING)
     choosing = request.front or request.brief.objective != "utility"
     ranking, schedules = staff_and_schedule(grounding, request, scene, work.part(RANKING_SHARE) if choosing else work)
@@ -229,7 +231,7 @@ def plan_authored(request: Request, authored: Authored, control: Control) -> Pla
     if choosing and _any_works(schedules):
         with_ = SCHEDULERS[request.scheduler]
         choice = choose(grounding.tree, request.brief, scene, with_, work, ranking, schedules, request.front)
-    made = _told(request, authored, grounding, ranking, schedules, choice)
+    made = _told(request, authored, digests, grounding, ranking, schedules, choice)
     faults = check(made, known)
     if faults and request.scheduler != PLAIN_SCHEDULER:
         plain = plan_authored(replace(request, scheduler=PLAIN_SCHEDULER), authored, control)
@@ -343,6 +345,7 @@ def _any_works(schedules: Iterable[Schedule]) -> bool:
 def _told(
     request: Request,
     authored: Authored,
+    digests: Mapping[str, str],
     grounding: Grounding | None = None,
     ranking: Ranking | None = None,
     schedules: tuple[Schedule, ...] = (),
@@ -370,7 +373,7 @@ def _told(
         notices=_distinct([*notices, *(grounding.notices if grounding else ())]),
         assumptions=_distinct([*authored.assumptions, *(grounding.assumptions if grounding else ()), *scheduled]),
         findings=_distinct([*found, *(warning for warning in warnings if warning.rule not in seen)]),
-        digests=input_digests(request.brief, authored.tree),
+        digests=digests,
         provenance=Provenance(
             author=authored.author,
             model=authored.model,
