@@ -12,6 +12,7 @@ from missiontree.errors import InputError
 from missiontree.estimation.estimator import Estimator
 from missiontree.estimation.own import OwnEstimator, own_estimator
 from missiontree.formats.document import read_file
+from missiontree.formats.misfit import misfit
 from missiontree.formats.mission_file import MissionFile
 from missiontree.formats.source import clean
 from missiontree.llm.chat import ChatModel
@@ -189,11 +190,13 @@ def request_from(
     estimator_from = base / file.estimator if estimator is None and file.estimator else estimator
     own = None if estimator_from is None else own_estimator(estimator_from)
     fleet_from, scene_from = _fleet_source(fleet, file, path), _scene_source(scene, file, path)
+    team = _value(fleet_from, "fleet")
+    world = None if scene_from is None else _value(scene_from, "scene")
     try:
         brief = MissionBrief(
             text=words,
-            fleet=_value(fleet_from, "fleet"),
-            scene=None if scene_from is None else _value(scene_from, "scene"),
+            fleet=team,
+            scene=world,
             routines=with_routines(load(library_files), own_routines),
             entities=file.entities,
             weights=file.weights if weights is None else _weights(weights),
@@ -213,10 +216,11 @@ def request_from(
         refuse_huge(brief.fleet, brief.routines, brief.weights)
     except ValueError as error:
         terms = {"without": without, "require": require, "min_quality": min_quality}
+        files = [Path(one) for one in (path, fleet_from, scene_from, *library_files) if isinstance(one, str | Path)]
         misfits = [source.split(" ", 1)[1] for source in _sources(path, fleet_from, scene_from, library_files, ())]
         misfits += [name for name, given in terms.items() if given not in (None, (), [])]
         hint = f"{', '.join(misfits) or 'The inputs'}: these do not fit together; mend one of them."
-        raise InputError(str(error), hint=hint) from error
+        raise misfit(str(error), files, _names(team, world), hint) from error
     tree = _value(base / file.tree, "tree") if file.tree else None
     sources = _sources(path, fleet_from, scene_from, library_files, method_files, estimator_from)
     tree_file = str(base / file.tree) if file.tree else ""
@@ -242,6 +246,16 @@ def request_from(
     if asked["scheduler"] is None:
         asked["scheduler"] = "auto" if asked.get("front") or brief.objective != "utility" else "greedy"
     return replace(request, **asked)
+
+
+def _names(fleet: Fleet, scene: Scene | None) -> dict[str, tuple[str, ...]]:
+    """What fleet and scene have, by what refusals call it."""
+    world = scene if scene is not None else Scene()
+    return {
+        "robot type": tuple(fleet.by_id),
+        "place": tuple(one.id for one in world.places),
+        "zone": tuple(zone.id for zone in world.zones),
+    }
 
 
 def _refuse_others(**given: Any) -> None:
@@ -290,7 +304,7 @@ def _beside(named: str | None, usual: str, path: Path | None) -> Path | None:
         return None
     if named:
         return path.parent / named
-    return path.with_name(usual) if path.with_name(usual).is_file() else None
+    return path.with_name(usual) if path.with_name(usual).exists() else None
 
 
 def _mission_file(path: Path) -> MissionFile:

@@ -110,6 +110,27 @@ def test_files_that_do_not_fit_together_are_both_named(shell: Shell, site: Path)
     assert "site/fleet.yaml, site/scene.yaml: these do not fit together" in ran.err
 
 
+def test_a_misspelt_place_has_its_line(shell: Shell, site: Path) -> None:
+    fleet = (site / "fleet.yaml").read_text(encoding="utf-8")
+    (site / "fleet.yaml").write_text(fleet.replace("gate", "gaet", 1), encoding="utf-8")
+    (site / "scene.yaml").write_text("places: [{id: gate, position: {x_m: 0, y_m: 0}}]", encoding="utf-8")
+    (site / "mission.yaml").write_text("mission: Find the cat", encoding="utf-8")
+    ran = shell("plan", "site")
+    line = next(number for number, text in enumerate(fleet.splitlines(), start=1) if "gate" in text)
+    assert ran.code == 2
+    assert f"site/fleet.yaml:{line}: " in ran.err
+    assert "Did you mean 'gate'?" in ran.err
+
+
+@pytest.mark.parametrize("name", ["fleet.yaml", "scene.yaml"])
+def test_a_folder_with_the_name_of_a_file_is_not_passed_over(shell: Shell, tmp_path: Path, name: str) -> None:
+    (tmp_path / "here" / name).mkdir(parents=True)
+    (tmp_path / "here" / "mission.yaml").write_text("mission: Find the cat", encoding="utf-8")
+    ran = shell("plan", "here")
+    assert ran.code == 2, ran
+    assert f"here/{name}: this is a folder, not a file" in ran.err
+
+
 @pytest.mark.parametrize("option", ["--out", "--record"])
 def test_a_file_that_cannot_be_written_is_refused_before_planning(shell: Shell, option: str) -> None:
     ran = shell("plan", "Find the cat", option, ".")
