@@ -31,6 +31,25 @@ def test_the_same_is_a_document_that_can_be_read_again(harbour: Shell) -> None:
     assert harbour("show", "plan.json", "--why-so-long", "--json").out == shown.out  # the same every time
 
 
+def test_it_is_told_of_every_alternative_and_of_what_is_chosen_or_offered(shell: Shell) -> None:
+    """Whatever else the plan ranks, offers or chooses, the larger team schedules this one alone."""
+    shell("plan", "--sample", "site", "--objective", "makespan", "--front", "--out", "plan.json", "--quiet")
+    second = shell("show", "plan.json", "--why-so-long", "--rank", "2")
+    assert second.code == 0, second
+    assert second.out.startswith("Why alternative 2 takes")
+    chosen = shell("show", "plan.json", "--why-so-long")
+    assert chosen.code == 0, chosen
+    assert chosen.out.startswith("Why the option takes")
+    assert chosen.out == shell("show", "plan.json", "--why-so-long", "--option", "chosen").out
+    assert shell("show", "plan.json", "--view", "schedule").out.startswith("The option: utility")
+    assert shell("show", "plan.json", "--view", "schedule", "--rank", "2").out.startswith("Alternative 2: utility")
+    said = shell("show", "plan.json").out
+    assert "Why the choice takes" in said
+    assert "Why alternative" not in said
+    shell("show", "plan.json", "--gantt", "chosen.svg")
+    assert "Option · utility" in Path("chosen.svg").read_text(encoding="utf-8")
+
+
 def test_with_no_time_the_chain_alone_is_told(harbour: Shell) -> None:
     shown = harbour("show", "plan.json", "--why-so-long", "--time-limit", "0")
     assert "What more would bring" not in shown.out

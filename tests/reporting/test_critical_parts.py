@@ -21,7 +21,7 @@ def lines(plan: Plan, most: int | None = None) -> list[str]:
 
 
 def title(plan: Plan) -> str:
-    return title_of(chain_of(plan, plan.schedules[0]))
+    return title_of(chain_of(plan, plan.schedules[0]), "alternative 1")
 
 
 def test_what_a_robot_does_in_one_role_is_one_part_with_the_way_in_it() -> None:
@@ -88,7 +88,7 @@ def test_the_whole_plan_says_why_it_takes_so_long() -> None:
 
 def test_where_nothing_takes_time_nothing_is_told() -> None:
     plan = planned(mission([Part("A", "a", [work(0)])]), Fleet((robots("a"),)))
-    assert title_and_view(plan, plan.schedules[0])[1] == []
+    assert title_and_view(plan, plan.schedules[0], "it")[1] == []
     assert "Why alternative" not in plan_text(plan)
 
 

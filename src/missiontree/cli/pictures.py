@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from missiontree.cli.files import refuse_clashing, refuse_unwritable, save
-from missiontree.cli.ranks import best_rank, known_rank, nothing, scheduled_rank
+from missiontree.cli.ranks import as_chosen, best_rank, known_rank, nothing, scheduled_rank
 from missiontree.errors import InputError
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ class Asked:
     tree, gantt, map, report, front_plot
         Files; None where nothing is asked for.
     rank
-        Rank of the alternative to be shown. None: the best that has a schedule, and in the tree none.
+        Rank of the alternative to be shown. None: what the objective chooses, else the best that has a schedule; in the tree none.
     unfolded
         Whether the tree is that of all ways to do it, by every robot type.
     """
@@ -84,8 +84,8 @@ def write_pictures(plan: Plan, asked: Asked) -> tuple[Path, ...]:
     rank = None if asked.rank is None else known_rank(plan, asked.rank, "--rank")
     makers: dict[str, Callable[[], str]] = {
         "--tree": lambda: _tree(plan, rank, asked.unfolded),
-        "--gantt": lambda: _gantt(plan, rank),
-        "--map": lambda: _map(plan, rank),
+        "--gantt": lambda: _gantt(as_chosen(plan, rank), rank),
+        "--map": lambda: _map(as_chosen(plan, rank), rank),
         "--report": lambda: report_of(plan, rank),
         "--front-plot": lambda: _front(plan),
     }

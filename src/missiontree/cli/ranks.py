@@ -50,6 +50,11 @@ def option_named(plan: Plan, name: str) -> Plan:
     return as_ranking(plan, [first])
 
 
+def as_chosen(plan: Plan, rank: int | None) -> Plan:
+    """The plan with what its objective chooses in place of its alternatives; as it is, if that chooses nothing or a rank is named."""
+    return option_named(plan, "chosen") if rank is None and plan.chosen is not None else plan
+
+
 def best_rank(plan: Plan) -> int | None:
     """Rank of the best alternative that has a schedule."""
     from missiontree.reporting.text import best_scheduled

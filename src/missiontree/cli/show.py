@@ -12,7 +12,7 @@ from missiontree.cli import options
 from missiontree.cli.exits import OUTCOMES
 from missiontree.cli.lengths import show_length
 from missiontree.cli.pictures import Asked, refuse_impossible, write_pictures
-from missiontree.cli.ranks import known_rank, option_named, scheduled_rank
+from missiontree.cli.ranks import as_chosen, known_rank, option_named, scheduled_rank
 from missiontree.cli.screen import remark, show
 from missiontree.cli.views import known_view, order_view, view_of
 from missiontree.errors import InputError
@@ -46,7 +46,7 @@ def command(
         typer.Option(
             "--rank",
             metavar="N",
-            help="Alternative to be shown. Default: the best that has a schedule; in the tree, none.",
+            help="Alternative to be shown. Default: what the objective chooses, else the best that has a schedule; in the tree, none.",
         ),
     ] = None,
     unfolded: Annotated[
@@ -96,7 +96,8 @@ def command(
         if transcript:
             typer.echo("\n".join(value.provenance.transcript))
         elif why_so_long:
-            show_length(value, scheduled_rank(value, rank, "--why-so-long"), time_limit, as_json, colour)
+            asked_for = as_chosen(value, rank)
+            show_length(asked_for, scheduled_rank(asked_for, rank, "--why-so-long"), time_limit, as_json, colour)
         elif order is not None:
             show(order_view(value, known_rank(value, order, "--order")), colour)
         elif as_json:

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from missiontree.cli.ranks import best_rank, known_rank, nothing, scheduled_rank
+from missiontree.cli.ranks import as_chosen, best_rank, known_rank, nothing, scheduled_rank
 from missiontree.cli.screen import PIPE_WIDTH
 from missiontree.errors import InputError
 
@@ -44,7 +44,7 @@ def view_of(plan: Plan, name: str, rank: int | None, unfolded: bool) -> Renderab
     name
         One of ``VIEWS``.
     rank
-        Rank of the alternative that is shown. None: the best that has a schedule, and in the tree none.
+        Rank of the alternative that is shown. None: what the objective chooses, else the best that has a schedule; in the tree none.
     unfolded
         Whether the tree is that of all ways to do it, by every robot type.
 
@@ -58,13 +58,14 @@ def view_of(plan: Plan, name: str, rank: int | None, unfolded: bool) -> Renderab
     refuse_dangling(plan)
     if rank is not None:
         known_rank(plan, rank, "--rank")
+    shown = as_chosen(plan, rank)
     views: dict[str, Callable[[], RenderableType]] = {
         "plan": lambda: _plan(plan),
         "tree": lambda: _tree(plan, rank, unfolded),
-        "schedule": lambda: _schedule(plan, scheduled_rank(plan, rank, "--view schedule")),
-        "map": lambda: _map(plan, rank),
+        "schedule": lambda: _schedule(shown, scheduled_rank(shown, rank, "--view schedule")),
+        "map": lambda: _map(shown, rank),
         "team": lambda: _team(plan),
-        "order": lambda: order_view(plan, scheduled_rank(plan, rank, "--view order")),
+        "order": lambda: order_view(shown, scheduled_rank(shown, rank, "--view order")),
     }
     return views[name]()
 
@@ -104,6 +105,7 @@ def _schedule(plan: Plan, rank: int) -> RenderableType:
     from rich.console import Group
     from rich.text import Text
 
+    from missiontree.reporting.called import called
     from missiontree.reporting.gantt.time import in_words
     from missiontree.reporting.team.lines import team_lines
     from missiontree.reporting.text import words
@@ -113,7 +115,7 @@ def _schedule(plan: Plan, rank: int) -> RenderableType:
     assert plan.grounding is not None
     alternative = plan.ranking.alternatives[rank - 1]
     schedule = next(one for one in plan.schedules if one.rank == rank)
-    title = f"Alternative {rank}: utility {alternative.utility:g}, {in_words(schedule.makespan_s)}"
+    title = f"{called(plan, rank).capitalize()}: utility {alternative.utility:g}, {in_words(schedule.makespan_s)}"
     team = (words(line) for line in team_lines(plan.grounding.tree, alternative, plan))
     return Group(Text(title, style="bold"), *team, Text(""), timeline(schedule, plan))
 

@@ -16,10 +16,12 @@ from missiontree.checking.checker import check_schedules
 from missiontree.errors import InternalError
 from missiontree.explaining.enlarging import with_more, with_room
 from missiontree.mission.alternative import Alternative
+from missiontree.mission.as_ranking import as_ranking
 from missiontree.mission.brief import MissionBrief
 from missiontree.mission.chain import Addition, Verdict, WhySoLong
 from missiontree.mission.control import Control
 from missiontree.mission.fleet import RobotType
+from missiontree.mission.front import Option
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Leg, Schedule
 from missiontree.reporting.critical.chain import chain_of
@@ -144,16 +146,19 @@ class _Shortening:
         )
 
     def _scheduled(self, brief: MissionBrief, share: float) -> Schedule:
-        """The alternative scheduled anew, by the same scheduler."""
+        """The alternative scheduled anew, by the same scheduler, and checked alone, whatever the plan ranks or chooses beside it."""
         plan = self._plan
         assert plan.grounding is not None
-        assert plan.ranking is not None
         scene = brief.world.extended(plan.tree.entities if plan.tree is not None else ())
         scheduler = SCHEDULERS[plan.provenance.scheduler or "greedy"]
         control = self._control.part(share)
         anew = scheduler(plan.grounding.tree, self._alternative, brief.fleet, scene, control, brief.terms)
-        only = replace(plan.ranking, alternatives=(self._alternative,))
-        faults = check_schedules(replace(plan, brief=brief, ranking=only, schedules=(anew,)))
+        option = Option(
+            alternative=replace(self._alternative, rank=1),
+            schedule=replace(anew, rank=1),
+            certificate=anew.certificate,
+        )
+        faults = check_schedules(as_ranking(replace(plan, brief=replace(brief, objective="utility")), [option]))
         if faults:
             raise InternalError(
                 f"the checker refuses a schedule of a larger team: {faults[0].rule}: {faults[0].message}"

@@ -119,7 +119,7 @@ def _schedule(plan: Plan, schedule: Schedule, whose: str) -> Iterator[Renderable
     title = f"Schedule of {whose}: {_length(schedule.makespan_s)}{due}, {known_of(schedule)}"
     further = [words(FURTHER, "dim")] if may_look_further(schedule, plan.provenance.scheduler) else []
     yield from _titled(title, [timeline(schedule, plan), *further])
-    yield from _titled(*title_and_view(plan, schedule, BRIEF))
+    yield from _titled(*title_and_view(plan, schedule, whose, BRIEF))
 
 
 def _front(plan: Plan) -> Iterator[RenderableType]:

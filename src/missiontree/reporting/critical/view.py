@@ -12,6 +12,7 @@ from rich.text import Text
 from missiontree.mission.chain import CriticalChain, WhySoLong
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
+from missiontree.reporting.called import called
 from missiontree.reporting.critical.additions import addition_lines
 from missiontree.reporting.critical.chain import chain_of
 from missiontree.reporting.critical.parts import Part, parts_of
@@ -21,7 +22,7 @@ BRIEF = 8
 """Parts that are told of a chain beside other things; of a longer one, those at both ends."""
 
 
-def title_of(chain: CriticalChain, what: str = "") -> str:
+def title_of(chain: CriticalChain, what: str) -> str:
     """
     What the time goes into: ``Why alternative 1 takes 325 s: 257.8 s of work and 67.2 s on the way, one after the other``.
 
@@ -30,7 +31,7 @@ def title_of(chain: CriticalChain, what: str = "") -> str:
     chain
         The chain.
     what
-        What takes the time. Default: the alternative, by its rank.
+        What takes the time, such as ``alternative 1``.
     """
     idle = "of refilling and waiting" if any(step.kind == "refill" for step in chain.steps) else "of waiting"
     spent = [
@@ -40,7 +41,7 @@ def title_of(chain: CriticalChain, what: str = "") -> str:
     ]
     listed = " and ".join([", ".join(spent[:-1]), spent[-1]]) if len(spent) > 1 else "".join(spent)
     follow = ", one after the other" if len(chain.steps) > 1 else ""
-    return f"Why {what or f'alternative {chain.rank}'} takes {in_words(chain.makespan_s)}: {listed}{follow}"
+    return f"Why {what} takes {in_words(chain.makespan_s)}: {listed}{follow}"
 
 
 def chain_view(plan: Plan, schedule: Schedule, most: int | None = None) -> Group:
@@ -71,15 +72,15 @@ def chain_view(plan: Plan, schedule: Schedule, most: int | None = None) -> Group
     return Group(table)
 
 
-def title_and_view(plan: Plan, schedule: Schedule, most: int | None = None) -> tuple[str, list[Group]]:
-    """Title and parts of the chain; no parts if nothing takes time."""
+def title_and_view(plan: Plan, schedule: Schedule, what: str, most: int | None = None) -> tuple[str, list[Group]]:
+    """Title and parts of the chain of what is called so; no parts if nothing takes time."""
     chain = chain_of(plan, schedule)
-    return title_of(chain), [chain_view(plan, schedule, most)] if chain.steps else []
+    return title_of(chain, what), [chain_view(plan, schedule, most)] if chain.steps else []
 
 
 def why_view(why: WhySoLong, plan: Plan, schedule: Schedule) -> Group:
     """The whole answer: what the time goes into, the parts of the chain, and what more robots would bring."""
-    lines: list[RenderableType] = [Text(title_of(why.chain), style="bold")]
+    lines: list[RenderableType] = [Text(title_of(why.chain, called(plan, schedule.rank)), style="bold")]
     lines.append(Padding(chain_view(plan, schedule), (0, 0, 0, 2), expand=False))
     told = list(addition_lines(why, schedule, plan.brief.fleet))
     if told:

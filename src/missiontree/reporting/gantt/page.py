@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
+from missiontree.reporting.called import called
 from missiontree.reporting.gantt import axis, shared
 from missiontree.reporting.gantt.away import away_pattern, hatched
 from missiontree.reporting.gantt.bars import bands, stripe_lines, strokes, words_of
@@ -75,7 +76,7 @@ class Chart:
         yield opening(
             self.width,
             height,
-            f"{mission_of(self.plan)}: schedule of alternative {self.schedule.rank}",
+            f"{mission_of(self.plan)}: schedule of {called(self.plan, self.schedule.rank)}",
             description(self.content),
             self.prefix,
         )

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from missiontree.mission.as_ranking import is_option
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
+from missiontree.reporting.called import called
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.gantt.content import Content
 from missiontree.reporting.gantt.time import exact, in_words
+from missiontree.reporting.left_out import left_out_in_short
 from missiontree.reporting.palette import MUTED
 from missiontree.reporting.svg_page import opening, text
 from missiontree.reporting.text_box import wrapped
@@ -29,7 +30,8 @@ def mission_of(plan: Plan) -> str:
 def summary(plan: Plan, schedule: Schedule, content: Content) -> str:
     """Alternative, length, and what is known of it, in a line."""
     chosen = bool(plan.brief.routines.routines)  # an instance has no routines, and nothing is ranked there
-    parts = [_called(plan, schedule)] if chosen else []
+    parts = [called(plan, schedule.rank).removeprefix("the ").capitalize()] if chosen else []
+    parts += [left_out_in_short(plan.partial)] if plan.partial is not None else []
     alternatives = plan.ranking.alternatives if plan.ranking is not None and chosen else ()
     parts += [f"utility {one.utility:g}" for one in alternatives if one.rank == schedule.rank]
     makespan_s, deadline_s = content.makespan_s, content.deadline_s
@@ -114,10 +116,3 @@ def _order(plan: Plan, schedule: Schedule) -> list[str]:
         own.setdefault(one.robot, []).append(one_line(plan.grounding.tree.action(one.leaf).text))
     lines = [f"{robot}: {', then '.join(texts)}" for robot, texts in own.items()]
     return lines if len(lines) <= _MOST_ROLES else [*lines[:_MOST_ROLES], f"and {len(lines) - _MOST_ROLES} more robots"]
-
-
-def _called(plan: Plan, schedule: Schedule) -> str:
-    """What people call what is drawn: an option of a front, or what is chosen, has no rank."""
-    alternatives = plan.ranking.alternatives if plan.ranking is not None else ()
-    drawn = next((one for one in alternatives if one.rank == schedule.rank), None)
-    return "Option" if drawn is not None and is_option(drawn) else f"Alternative {schedule.rank}"

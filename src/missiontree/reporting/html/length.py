@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Schedule
+from missiontree.reporting.called import called
 from missiontree.reporting.critical.chain import chain_of
 from missiontree.reporting.critical.parts import parts_of
 from missiontree.reporting.critical.view import both_ends, more_of, title_of
@@ -43,4 +44,4 @@ def length(plan: Plan, schedule: Schedule) -> Length | None:
     rows = tuple(
         (between(part.start_s, part.end_s, schedule.makespan_s), part.robot, part.what, more_of(part)) for part in told
     )
-    return Length(title_of(chain_of(plan, schedule)), rows, len(parts) - len(told))
+    return Length(title_of(chain_of(plan, schedule), called(plan, schedule.rank)), rows, len(parts) - len(told))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from missiontree.mission.plan import Plan
+from missiontree.reporting.called import called
 from missiontree.reporting.escape import one_line
 from missiontree.reporting.maps.clusters import clusters_of
 from missiontree.reporting.maps.content import content_of
@@ -54,7 +55,7 @@ def map_svg(plan: Plan, rank: int | None = None, *, floor: str | None = None) ->
         return None
     routes, _ = routes_of(plan, rank, content.scene)
     name = one_line(content.scene.label) or one_line(plan.brief.text) or "the mission"
-    title = f"Map of {name}" + (f", routes of alternative {rank}" if routes else "")
+    title = f"Map of {name}" + (f", routes of {called(plan, rank)}" if rank is not None and routes else "")
     return "\n".join(_lines(title, f"mt-map-{rank or 0}", content, layout, routes)) + "\n"
 
 
