@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
-from missiontree.mission.area import Area
+from missiontree.mission.area import Area, KeepOut
 from missiontree.mission.entity import Entity
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.position import Position
@@ -91,6 +93,43 @@ def test_a_road_from_floor_to_floor_is_named_at_both_ends_and_is_no_line() -> No
 def test_a_ramp_tells_its_rule_where_it_begins(rule: dict[str, bool], labels: list[str]) -> None:
     scene = storeys(roads=(Road(ends=("gate", "top"), length_m=30, **rule),))  # type: ignore[arg-type]
     assert [thing.label for thing in called(scene, "ramp gate - top")] == labels
+
+
+def pit_road(keep_out: KeepOut, **rules: object) -> tuple[bool, bool, str]:
+    """Whether a road of 40 m whose middle is in the pit, or beside it, is blocked, or for some only; its note."""
+    road = Road(ends=("a", "b"), **rules)  # type: ignore[arg-type]
+    scene = Scene(
+        places=(place("a", -10, 10), place("b", 30, 10)), roads=RoadGraph(roads=(road,)), keep_outs=(keep_out,)
+    )
+    fleet = Fleet((walker(1, place="a"), replace(walker(1, place="a"), id="crawler", label="Crawler")))
+    (shown_road,) = content_of(unplanned(scene, fleet)).roads
+    return shown_road.blocked, shown_road.limited, shown_road.note
+
+
+def test_a_road_through_a_closed_area_is_as_closed_as_that_area() -> None:
+    """The line from (-10, 10) to (30, 10) runs through the square from 0 to 20, and along the edge of the one from 10 to 30."""
+    assert pit_road(KeepOut(id="pit", area=AREA)) == (True, False, "road a - b, closed by keep-out pit")
+    some = KeepOut(id="pit", area=AREA, types=("crawler",))
+    assert pit_road(some) == (False, True, "road a - b, closed to Crawler by keep-out pit")
+    beside = Area(corners=((0, 10), (20, 10), (20, 30), (0, 30)))
+    assert pit_road(KeepOut(id="pit", area=beside)) == (False, False, "road a - b")
+    upstairs = replace(AREA, floor="first")
+    assert pit_road(KeepOut(id="pit", area=upstairs)) == (False, False, "road a - b")
+    assert pit_road(KeepOut(id="pit", area=AREA), blocked=True)[2] == "road a - b, blocked, closed by keep-out pit"
+
+
+def test_areas_that_shut_a_road_to_one_type_each_shut_it_to_all() -> None:
+    east = Area(corners=((20, 0), (25, 0), (25, 20), (20, 20)))
+    scene = Scene(
+        places=(place("a", -10, 10), place("b", 30, 10)),
+        roads=RoadGraph(roads=(Road(ends=("a", "b")),)),
+        keep_outs=(KeepOut(id="pit", area=AREA, types=("crawler",)), KeepOut(id="moor", area=east, types=("walker",))),
+    )
+    fleet = Fleet((walker(1, place="a"), replace(walker(1, place="a"), id="crawler", label="Crawler")))
+    (road,) = content_of(unplanned(scene, fleet)).roads
+    assert (road.blocked, road.limited) == (True, False)
+    label = fleet.types[0].label
+    assert road.note == f"road a - b, closed to {label} by keep-out moor, closed to Crawler by keep-out pit"
 
 
 def test_robots_that_are_alike_are_one_thing_with_their_number() -> None:

@@ -11,6 +11,7 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.plan import Plan
 from missiontree.mission.scene import Scene
 from missiontree.mission.ways import Road, RoadGraph
+from missiontree.reporting.maps.shut import shut_roads
 from missiontree.reporting.maps.things import KINDS, MapContent, Missing, ShownArea, ShownRoad, Thing, ThingKind
 from missiontree.reporting.references import world_of
 
@@ -35,7 +36,7 @@ def content_of(plan: Plan) -> MapContent:
         *(_nodes(scene.roads, scene) if scene.roads is not None else ()),
     )
     areas = tuple(_areas(scene, plan.brief.fleet))
-    roads = tuple(_roads(scene.roads, scene) if scene.roads is not None else ())
+    roads = tuple(_roads(scene.roads, scene, plan.brief.fleet) if scene.roads is not None else ())
     floors = [thing.spot.floor for thing in things] + [area.area.floor for area in areas]
     floors = [*([scene.grid.floor] if scene.grid is not None else ()), *floors]
     return MapContent(scene, things, tuple(_missing(scene)), areas, roads, tuple(dict.fromkeys(floors)))
@@ -114,12 +115,15 @@ def _nodes(graph: RoadGraph, scene: Scene) -> Iterator[Thing]:
         yield Thing(node.id, node.id, "node", scene.in_map(node.position), "road node")
 
 
-def _roads(graph: RoadGraph, scene: Scene) -> Iterator[ShownRoad]:
-    for road in graph.roads:
+def _roads(graph: RoadGraph, scene: Scene, fleet: Fleet) -> Iterator[ShownRoad]:
+    shut = shut_roads(scene, fleet)
+    for index, road in enumerate(graph.roads):
         start, end = (scene.road_points[name] for name in road.ends)
         if start.floor == end.floor:
-            note = _listed([f"road {' - '.join(road.ends)}", *_rules(road)])
-            yield ShownRoad(start, end, road.one_way, road.blocked, road.types is not None, note)
+            to_all, why = shut.get(index, (False, ""))
+            note = _listed([f"road {' - '.join(road.ends)}", *_rules(road), why])
+            limited = road.types is not None or bool(why and not to_all)
+            yield ShownRoad(start, end, road.one_way, road.blocked or to_all, limited, note)
 
 
 def _rules(road: Road) -> Iterator[str]:

@@ -108,8 +108,10 @@ class ShownRoad:
     ----------
     start, end
         Its ends, in frame ``map``.
-    one_way, blocked
+    one_way
         As in the scene.
+    blocked
+        Whether nobody may use it: by the scene, or since it passes through an area that is closed to all of the fleet.
     limited
         Whether only some robot types may use it.
     note
