@@ -150,6 +150,20 @@ def test_arrows_go_between_robots_and_not_along_a_row() -> None:
     assert drawn.count("mt-link mt-fill") == 1
 
 
+def test_arrows_of_one_moment_that_go_up_and_down_stand_side_by_side() -> None:
+    """At 5 s b-1 goes on after a-1, and a-1 after b-1: one line with a head at both ends would say neither."""
+    parts = [Part("A", "a", [work(5)]), Part("C", "b", [work(5)]), Part("B", "b", [work(3)]), Part("D", "a", [work(2)])]
+    root = parsed(gantt_svg(planned(mission(parts, [("A", "B"), ("C", "D")]), Fleet((robots("a"), robots("b")))), 1))
+    lines = [
+        path.get("d", "")
+        for path in root.iter(f"{SVG}path")
+        if path.get("class") in {"mt-link mt-line", "mt-critical mt-line"} and path.get("pointer-events") is None
+    ]
+    begin = sorted(float(line.split()[0].removeprefix("M")) for line in lines)
+    down, up = (x for x in reversed(begin) if x > axis_of(root)[0])  # what is left of the axis stands in the legend
+    assert down - up >= 3
+
+
 def test_words_that_do_not_fit_are_numbered_and_listed() -> None:
     """An action of 1 s in 100 s is a hundredth of the axis: a few pixels, followed at once by the next."""
     instance = worded(

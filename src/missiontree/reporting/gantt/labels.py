@@ -17,11 +17,12 @@ from typing import Literal, NamedTuple
 
 from missiontree.reporting.gantt.content import Bar, Row, Stretch
 from missiontree.reporting.gantt.layout import BOLD, FOOT, Density, Scale
+from missiontree.reporting.gantt.links import ASIDE, BACK
 from missiontree.reporting.svg_page import middle_cut
 from missiontree.reporting.text_box import balanced, text_width
 
 INSET = 5.0
-HEAD = 9.0
+HEAD = BACK + ASIDE + 2.0
 """Room that the head of an arrow takes before the bar it points at."""
 GAP = 6.0
 CLEAR = 3.0

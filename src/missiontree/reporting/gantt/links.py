@@ -12,6 +12,8 @@ from missiontree.reporting.svg_numbers import n
 
 BACK = 7.0
 """How far before its goal an arrow turns towards it: the length of its head, and a little."""
+ASIDE = 3.5
+"""How much farther from it an arrow turns that goes up, so that it does not run along one that goes down."""
 _HEAD = 6.0
 _CORNER = 3.0
 _NEAR = 4.0
@@ -46,13 +48,14 @@ def arrow(first: Box, second: Box, *, lit: bool, to_end: bool) -> Arrow:
     down = second.place.top > first.place.top
     edge = first.place.bar_bottom if down else first.place.bar_top
     hall = first.place.bottom if down else first.place.top  # between two rows nothing is written
-    leave = max(first.left + 1.0, first.right - BACK)
+    back = BACK if down else BACK + ASIDE
+    leave = max(first.left + 1.0, first.right - back)
     if to_end:
-        goal = (max(second.left + 1.0, second.right - BACK), second.place.bar_top if down else second.place.bar_bottom)
+        goal = (max(second.left + 1.0, second.right - back), second.place.bar_top if down else second.place.bar_bottom)
         turn = goal[0]
     else:
         goal = (second.left, second.place.middle)
-        turn = goal[0] - BACK
+        turn = goal[0] - back
     points = [(leave, edge)]
     if abs(leave - turn) <= _NEAR:
         turn = leave
