@@ -14,6 +14,9 @@ from missiontree.estimation.own import OwnEstimator, own_estimator
 from missiontree.formats.document import read_file
 from missiontree.formats.misfit import misfit
 from missiontree.formats.mission_file import MissionFile
+from missiontree.formats.parsed import Parsed
+from missiontree.formats.plain import to_plain
+from missiontree.formats.reach import refuse_far
 from missiontree.formats.source import clean
 from missiontree.llm.chat import ChatModel
 from missiontree.mission.aim import Accumulate
@@ -24,6 +27,7 @@ from missiontree.mission.fleet import Fleet
 from missiontree.mission.goal import in_words
 from missiontree.mission.magnitude import refuse_huge
 from missiontree.mission.objective import OBJECTIVES, Objective
+from missiontree.mission.reach import refuse_endless
 from missiontree.mission.routine import Routine
 from missiontree.mission.scene import Scene
 from missiontree.mission.terms import MinQuality
@@ -185,7 +189,7 @@ def request_from(
         raise InputError(f"the mission has {len(words.split())} words", accepted=f"at most {MAX_WORDS} words")
     library_files = [base / name for name in file.routines]
     library_files += [Path(name) for name in routines if not isinstance(name, Routine)]
-    own_routines = [routine for routine in routines if isinstance(routine, Routine)]
+    own_routines = [_value(routine, "routines") for routine in routines if isinstance(routine, Routine)]
     method_files = [base / name for name in file.methods] + [Path(name) for name in methods]
     estimator_from = base / file.estimator if estimator is None and file.estimator else estimator
     own = None if estimator_from is None else own_estimator(estimator_from)
@@ -214,6 +218,7 @@ def request_from(
             objective=file.objective if objective is None else objective,
         )
         refuse_huge(brief.fleet, brief.routines, brief.weights)
+        refuse_endless(brief.fleet, brief.world, brief.routines)
     except ValueError as error:
         terms = {"without": without, "require": require, "min_quality": min_quality}
         files = [Path(one) for one in (path, fleet_from, scene_from, *library_files) if isinstance(one, str | Path)]
@@ -314,7 +319,11 @@ def _mission_file(path: Path) -> MissionFile:
 
 
 def _value(source: Any, kind: str) -> Any:
-    return read_file(Path(source), kind) if isinstance(source, str | Path) else source
+    """A value that is handed in, or read."""
+    if isinstance(source, str | Path):
+        return read_file(Path(source), kind)
+    refuse_far(Parsed(to_plain(source), kind, lambda _: 0))
+    return source
 
 
 def _sources(

@@ -16,6 +16,7 @@ from missiontree.formats.mission_file import MissionFile
 from missiontree.formats.parsed import Parsed
 from missiontree.formats.place import quoted
 from missiontree.formats.plain import to_plain
+from missiontree.formats.reach import INPUTS, refuse_far
 from missiontree.formats.reader import parse
 from missiontree.formats.routine_file import RoutineFile
 from missiontree.formats.schema import schema_of
@@ -92,6 +93,8 @@ def read_as(text: str, kind: str, cls: type[T], source: str = "<text>") -> T:
     _check_format(parsed, kind)
     own = {key: member for key, member in parsed.data.items() if key not in _NOT_FIELDS}
     _check_looks(parsed, kind, cls, own)
+    if kind in INPUTS:
+        refuse_far(parsed)
     return to_value(replace(parsed, data=own), cls)
 
 
