@@ -1,8 +1,11 @@
 """What a waiting robot is said to wait for."""
 
+from dataclasses import replace
+
 from missiontree.mission.fleet import Fleet
 from missiontree.mission.plan import Plan
 from missiontree.reporting.critical.bonds import Bonds
+from missiontree.reporting.gantt.reading import content_of
 from missiontree.reporting.gantt.waits import why_waited
 from tests.reporting.charts import planned
 from tests.scheduling.instances import Instance, Part, at, mission, move, robots, scene, work
@@ -42,3 +45,21 @@ def test_what_must_be_under_way_first_is_told() -> None:
         (4.001, 5.001)
     ]
     assert reason(instance, plan, "W.1") == "until a-1 has begun: F.1"
+
+
+def test_waiting_until_an_action_may_start_is_shown_and_what_is_merely_idle_is_not() -> None:
+    """B may start at 20 s, where its robot has had nothing to do since 5 s; C comes after B, and its robot is free till then."""
+    instance = mission(
+        [Part("A", "a", [work(5)]), Part("B", "a", [work(1)]), Part("C", "c", [work(1)])], [("A", "B"), ("B", "C")]
+    )
+    nodes = [
+        replace(node, release_s=20.0) if index == instance.node["B"] else node
+        for index, node in enumerate(instance.tree.nodes)
+    ]
+    released = Instance(replace(instance.tree, nodes=tuple(nodes)), instance.alternative, instance.node)
+    plan = planned(released, Fleet((robots("a"), robots("c"))))
+    rows = {row.robot: row for row in content_of(plan, plan.schedules[0]).rows}
+    assert [(wait.start_s, wait.end_s, wait.label) for wait in rows["a-1"].waits] == [
+        (5.0, 20.0, "until it may start, at 20 s")
+    ]
+    assert list(rows["c-1"].waits) == []

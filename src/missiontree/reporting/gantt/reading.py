@@ -190,9 +190,10 @@ class _Robot:
             )
 
     def _stands_by(self, leaf: int) -> bool:
-        """Whether a robot that need not travel for an action waits where it is done, for room or to take over."""
+        """Whether a robot that need not travel for an action waits where it is done, for its time to come, for room, or to take over."""
         action = self.tree.action(leaf)
-        return action.at is not None and (bool(action.holds) or leaf in self.bonds.taker.values())
+        shares = action.at is not None and (bool(action.holds) or leaf in self.bonds.taker.values())
+        return shares or self.bonds.released(Event("start", leaf))
 
     def _free_by(self, when_s: float) -> float:
         """When the robot was done with whatever it did before a moment, or came."""
