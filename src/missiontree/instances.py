@@ -72,6 +72,8 @@ def read_recognised(file: Path) -> Recognised:
         As :func:`read_instance`.
     """
     text = load_text(file)
+    if not text.strip():
+        raise InputError("the file is empty", file=str(file), accepted=ACCEPTED)
     if looks_like_shop(text):
         return Recognised("flexible job shop", shop_of(text, str(file)))
     parsed = parse(text, str(file))

@@ -77,6 +77,11 @@ def test_what_cannot_be_done_and_what_is_no_instance_have_their_codes(shell: She
     other = shell("schedule", written(tmp_path, "other.json", '{"a": 1}'))
     assert other.code == 2
     assert "this is no instance of a form that is known here" in other.err
+    for name in ("empty.txt", "empty.json"):
+        empty = shell("schedule", written(tmp_path, name, " \n"))
+        assert empty.code == 2
+        assert f"{name}: the file is empty" in empty.err
+        assert "a flexible job shop (text)" in empty.err
     bad = shell("schedule", written(tmp_path, "bad.txt", "1 1\n1 1 5 5\n"))
     assert bad.code == 2
     assert "bad.txt:2" in bad.err

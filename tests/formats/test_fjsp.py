@@ -113,7 +113,7 @@ def test_what_is_wrong_with_a_classic_line_is_said(text: str, line: int, said: s
         ("1 2\n1 1 0 5 7\n", 2, "1 number follows the last of 1 operations of job 1"),
         ("1 2\n1 1 0 5 7 8\n", 2, "2 numbers follow the last of 1 operations of job 1"),
         ("1 2\n1 0\n", 2, "no machine is able to do operation 1 of job 1"),
-        ("1 2\n1 1 0 -5\n", 2, "'-5' is not a whole number"),
+        ("1 2\n1 1 0 -5\n", 2, "'-5' is below 0"),
         ("1 2\n1 1 0 2.5\n", 2, "'2.5' is not a whole number"),
         ("1 2\n\n1 1 3 5\n", 3, "machine 3 for operation 1 of job 1, and there are 2"),
         ("1 2\n1 2 0 5 0 6\n", 2, "machine 0 is named twice for operation 1 of job 1"),

@@ -130,7 +130,11 @@ ObjectiveText = Annotated[
 ]
 FrontPlot = Annotated[
     Path | None,
-    typer.Option("--front-plot", metavar="FILE", help="Draw the front into this .svg or .png file."),
+    typer.Option(
+        "--front-plot",
+        metavar="FILE",
+        help="Draw the front into this .svg or .png file; plan then seeks it, as with --front.",
+    ),
 ]
 Alternatives = Annotated[
     int | None, typer.Option("-k", "--alternatives", metavar="K", help="How many alternatives. Default 4.")

@@ -81,7 +81,10 @@ def command(
     max_seconds: options.MaxSeconds = None,
     kinds: options.Kinds = None,
     out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE", help="Write the plan to this file, as JSON.")
+        Path | None,
+        typer.Option(
+            "--out", metavar="FILE", help="Write the plan to this file, as JSON; with --quiet nothing is printed then."
+        ),
     ] = None,
     report: Annotated[
         Path | None,

@@ -147,7 +147,10 @@ class _Reading:
     def _numbers(self, words: list[str], line: int) -> list[int]:
         wrong = next((word for word in words if not _NUMBER(word)), None)
         if wrong is not None:
-            what = "is too large" if wrong.isdecimal() else "is not a whole number"
+            if wrong.isdecimal():
+                raise self.refusal(line, f"{quoted(wrong)} is too large", f"whole numbers from 0 to {MOST:,}")
+            negative = wrong.startswith("-") and wrong[1:].isdecimal()
+            what = "is below 0" if negative else "is not a whole number"
             raise self.refusal(line, f"{quoted(wrong)} {what}", "whole numbers of at least 0")
         return list(map(int, words))
 
