@@ -100,24 +100,30 @@ class Staffing:
 
     @cached_property
     def leaves_below(self) -> dict[int, tuple[int, ...]]:
-        """Selected leaves below every selected node, itself included."""
-        below: dict[int, list[int]] = {node: [] for node in self.reached}
-        for leaf in self.actions:
+        """Selected leaves below every selected node at an end of a link, itself included."""
+        ends = {end for pair in self._linked for end in pair[:2]}
+        below: dict[int, list[int]] = {node: [] for node in self.reached if node in ends}
+        for leaf in self.actions if below else ():
             node = leaf
             while node >= 0:
-                below[node].append(leaf)
+                if node in below:
+                    below[node].append(leaf)
                 node = self.tree.nodes[node].parent
         return {node: tuple(leaves) for node, leaves in below.items()}
 
     @cached_property
+    def _linked(self) -> tuple[tuple[int, int, LinkKind], ...]:
+        """Links of the grounded tree and those of the mission tree, each once."""
+        pairs = dict.fromkeys((link.first, link.second, link.kind) for link in self.tree.links)
+        return tuple(pairs | dict.fromkeys(self._authored_links()))
+
+    @cached_property
     def bonds(self) -> tuple[Bond, ...]:
         """Links that bind: those of the grounded tree and those of the mission tree, each once."""
-        pairs = dict.fromkeys((link.first, link.second, link.kind) for link in self.tree.links)
-        pairs |= dict.fromkeys(self._authored_links())
         below = self.leaves_below
         return tuple(
             Bond(first, second, kind, below[first], below[second])
-            for first, second, kind in pairs
+            for first, second, kind in self._linked
             if below.get(first) and below.get(second)
         )
 

@@ -95,19 +95,28 @@ class Facts:
         return kept
 
     @cached_property
-    def leaves_below(self) -> dict[int, list[int]]:
-        """Selected leaves below each selected node, the node itself included."""
-        kept: dict[int, list[int]] = {}
-        for leaf in self.leaves:
-            above = leaf
-            while above != -1:
-                kept.setdefault(above, []).append(leaf)
-                above = self.tree.nodes[above].parent
-        return kept
+    def spans(self) -> dict[int, tuple[int, int]]:
+        """By selected node, which of the selected leaves stand below it, itself included: from one number up to another, in preorder."""
+        begin, count = dict[int, int](), 0
+        for node in self.selected:
+            begin[node] = count
+            count += node in self.leaves
+        end = {node: begin[node] + (node in self.leaves) for node in self.selected}
+        for node in reversed(self.selected):
+            above = self.tree.nodes[node].parent
+            if above in end:
+                end[above] = max(end[above], end[node])
+        return {node: (begin[node], end[node]) for node in self.selected}
+
+    @cached_property
+    def in_order(self) -> list[int]:
+        """Selected leaves, in preorder."""
+        return list(self.leaves)
 
     def below(self, node: int) -> list[int]:
         """Selected leaves below a node; none if the node is not selected."""
-        return self.leaves_below.get(node, [])
+        first, last = self.spans.get(node, (0, 0))
+        return self.in_order[first:last]
 
     @cached_property
     def joint(self) -> dict[int, list[int]]:

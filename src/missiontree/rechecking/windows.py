@@ -11,9 +11,9 @@ from missiontree.rechecking.facts import TICK_MS, Facts, broken, milliseconds
 
 def releases(facts: Facts) -> Iterator[Reason]:
     """No selected leaf below a node starts before the node's release."""
-    for node, leaves in facts.leaves_below.items():
+    for node in facts.selected:
         release = milliseconds(facts.tree.nodes[node].release_s)
-        for leaf in leaves:
+        for leaf in facts.below(node) if release else ():
             if facts.start_ms[leaf] + TICK_MS < release:
                 message = f"{facts.label(leaf)} starts at {facts.start_ms[leaf] / 1000} s, before {release / 1000} s."
                 yield broken("core_release", message, node=leaf)
@@ -21,10 +21,10 @@ def releases(facts: Facts) -> Iterator[Reason]:
 
 def deadlines(facts: Facts) -> Iterator[Reason]:
     """No selected leaf below a node ends after the node's deadline, and none after the mission's."""
-    for node, leaves in facts.leaves_below.items():
+    for node in facts.selected:
         dues = [facts.tree.nodes[node].deadline_s, facts.brief.deadline_s if node == 0 else None]
         for due in [milliseconds(due) for due in dues if due is not None]:
-            for leaf in leaves:
+            for leaf in facts.below(node):
                 if facts.end_ms[leaf] > due + TICK_MS:
                     message = (
                         f"{facts.label(leaf)} ends at {facts.end_ms[leaf] / 1000} s, and is due at {due / 1000} s."
