@@ -275,6 +275,14 @@ def test_the_campaign_s_case_of_a_door_passed_through_in_no_time_is_closed() -> 
     assert judge(49, 4502).violations == ()
 
 
+@pytest.mark.parametrize("number", [17_628, 125_466])
+def test_what_takes_no_time_has_room_in_the_model_and_in_trials_only_where_it_can_be_played_through(
+    number: int,
+) -> None:
+    """A lift with room for two, both of whom hold it before and after; a door that whoever begins just then, and must, keeps."""
+    assert judge(51, number).violations == ()
+
+
 @pytest.mark.parametrize("number", [806, 856])
 def test_what_happens_at_one_moment_is_taken_alike_by_schedulers_and_checkers(number: int) -> None:
     """A box that is moved on in no time just before joint work at it; something of no length at the moment of a hand-over."""

@@ -319,6 +319,19 @@ def test_what_comes_between_the_two_sides_of_a_hand_over_costs_no_schedule(holde
     assert result.certificate.bound <= 6
 
 
+@pytest.mark.parametrize(("rooms", "verdict"), [(2, "infeasible"), (3, "optimal")])
+def test_what_takes_no_time_needs_room_beside_those_who_hold_a_lift_before_and_after(rooms: int, verdict: str) -> None:
+    """Two hold the lift from 0 to 3 s and to 5 s at the latest, and cannot otherwise; between 1 s and 2 s a third needs it in no time."""
+    parts = [
+        Part(name, "r", [work(lasts, holds=("lift",))]) for name, lasts in (("long", 5), ("short", 3), ("brief", 0))
+    ]
+    made = mission(parts).timed(long=(0, 5), short=(0, 3), brief=(1, 2))
+    world = Scene(resources=(SharedResource(id="lift", capacity=rooms),))
+    problem = read_problem(made.tree, made.alternative, Fleet((robots("r", 3),)), world, NO_TERMS)
+    assert isinstance(problem, Problem)
+    assert search(Formulation(problem, 20_000).model, 60, lambda: False).verdict == verdict
+
+
 def least_by_times_and_by_orders(problem: Problem) -> tuple[int | None, int]:
     """The least makespan of the model, whose answer nobody can carry out; and, keeping to orders, of one that somebody can."""
     formulation = Formulation(problem, 20_000)

@@ -222,3 +222,24 @@ def test_what_may_be_out_of_turn_is_tried_anyway_when_asked_and_proves_nothing()
     assert tried(problem, 20_000) == Tried(False, None, 0)
     found = Trying(problem, 20_000, 1_000, lambda: False, anyway=True)()
     assert (found.complete, makespan(problem, found)) == (False, 5_000)
+
+
+def test_what_takes_no_time_does_not_pass_a_door_before_who_must_have_begun_to_hold_it() -> None:
+    """
+    From 5 s on b looks at a box, in a door, until c has worked for 4 s; a takes the box away in no time, through the door, and works 10 s.
+
+    At 5 s b has to begin before the box is gone, and a would have to be through the door before b begins. So a waits until 9 s, and 19 s
+    do; had the box gone first, b would have to come after it, for 30 s. By times alone 15 s would do.
+    """
+    parts = [
+        Part("look", "b", [work(0, at="box", open_ended=True, holds=("door",))]),
+        Part("work", "c", [work(4)]),
+        Part("take", "a", [move("p", "box", holds=("door",)), work(10)]),
+    ]
+    made = mission(parts, [("look", "work", "until")]).timed(look=(5, None), work=(5, None), take=(5, None))
+    world = replace(scene(p=0, box=30), resources=(SharedResource(id="door"),))
+    kinds = (robots("a", speed=1, position=at(0)), robots("b", speed=1, position=at(30)), robots("c"))
+    problem = problem_of(made, *kinds, world=world)
+    found = tried(problem, 40_000)
+    assert found.complete
+    assert found.makespan == makespan(problem, found) == 19_000

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from missiontree.scheduling.cpsat.model import Affine, Cumulative, Interval, Model, NoOverlap
+from missiontree.scheduling.cpsat.model import Affine, Cumulative, Interval, Linear, Model, NoOverlap, negated
 from missiontree.scheduling.cpsat.times import Times
 from missiontree.scheduling.problem import Problem
+
+MOST_HOLDERS = 60
+"""Of a resource with several places, beyond which what takes no time counts nothing: there are as many pairs as their square."""
 
 
 def add_sharing(model: Model, problem: Problem, times: Times) -> None:
     """
     Room in every scarce resource.
 
-    Intervals are not optional, so that sizes may vary (see :mod:`missiontree.scheduling.cpsat.heads`). Where several robots have room,
-    an activity that takes no time counts nothing: the model allows a little too much there. What is held on ways is left out, too.
+    Intervals are not optional, so that sizes may vary (see :mod:`missiontree.scheduling.cpsat.heads`). What is held on ways is left out.
     """
     intervals: dict[int, int] = {}
     for activity in sorted(problem.sharing.demand):
@@ -29,3 +31,30 @@ def add_sharing(model: Model, problem: Problem, times: Times) -> None:
             model.add(NoOverlap(taken))
         else:
             model.add(Cumulative(taken, capacity, tuple(holders.values())))
+            if len(holders) <= MOST_HOLDERS:
+                _keep_instants_out(model, problem, times, name)
+
+
+def _keep_instants_out(model: Model, problem: Problem, times: Times, name: str) -> None:
+    """
+    What takes no time asks for its places, too, of those that others have left who hold them before it and go on to.
+
+    Among intervals it counts nothing, unless they may not overlap at all. At one moment with their starts or ends it comes before or
+    after them.
+    """
+    holders, capacity = problem.sharing.holders(name), problem.sharing.capacity[name]
+    for one, robots in holders.items():
+        if problem.bounds.duration[one]:
+            continue
+        start, end, inside = times.start[one], times.end[one], list[tuple[int, int]]()
+        when: tuple[int, ...] = ()
+        if start.var != end.var:  # how long it takes is not known
+            when = (model.boolean(),)
+            model.at_least(end, start, 1, when=(negated(when[0]),))
+        for other, taken in holders.items():
+            if other != one:
+                before, within = model.boolean(), model.boolean()
+                model.at_least(times.start[other], start, when=(before, *when))
+                model.at_least(start, times.end[other], when=(negated(before), negated(within), *when))
+                inside.append((taken, within))
+        model.add(Linear(tuple(inside), 0, capacity - robots, when))

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 from missiontree.estimation.travel import Blocked
 from missiontree.mission.ticks import ticks
+from missiontree.scheduling.course import begun_is_enough
+from missiontree.scheduling.enumeration.relations import Relations
 from missiontree.scheduling.enumeration.robots import Robots
 from missiontree.scheduling.enumeration.state import State
 from missiontree.scheduling.impossible import TOLERANCE
@@ -45,6 +48,11 @@ class Putting:
         self._actions = [[(leaf, tree.action(leaf)) for leaf in leaves] for leaves in self._graph.activities]
         self._ticks = {leaf: ticks(tree.action(leaf).duration_s) for leaf in self._graph.activity_of}
         self._last = {role: leaves[-1] for role, leaves in self._graph.roles.items()}
+
+    @cached_property
+    def relations(self) -> Relations:
+        """Which activities come before others; only for missions so small that everything is tried."""
+        return Relations(self._graph)
 
     def begin(self) -> State:
         """Nothing is put down, and what no activity comes before may be."""
@@ -143,12 +151,20 @@ class Putting:
 
         givers = self._problem.hand_overs.givers(activity)  # they let go when it starts
 
+        def since(one: int) -> int:
+            """From when another holds it: what takes no time would stand before its start at one moment, but not if that comes first."""
+            return state.starts[one] - (length == 0 and self._begins_first(one, activity))
+
         def held(name: str) -> list[Hold]:
             there = ((one, robots) for one, robots in sharing.holders(name).items() if one in state.starts)
             taken = [(one, robots) for one, robots in there if one not in givers]
-            return [Hold(state.starts[one], self._known_end(state, one), robots) for one, robots in taken]
+            return [Hold(since(one), self._known_end(state, one), robots) for one, robots in taken]
 
         return room_for(sharing, sharing.demand[activity], held, start, length)
+
+    def _begins_first(self, one: int, other: int) -> bool:
+        """Whether an activity that is put down before another begins before it for a reason."""
+        return one in self.relations.earlier[other] or begun_is_enough(self._graph, one, other) is not None
 
     def _known_end(self, state: State, activity: int) -> int | None:
         if activity in self._takers:  # held until it is handed over

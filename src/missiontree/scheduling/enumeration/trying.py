@@ -28,7 +28,6 @@ from missiontree.scheduling.course import Course
 from missiontree.scheduling.enumeration.courses import course_of
 from missiontree.scheduling.enumeration.load import Load
 from missiontree.scheduling.enumeration.putting import Option, Putting
-from missiontree.scheduling.enumeration.relations import Relations
 from missiontree.scheduling.enumeration.robots import Robots
 from missiontree.scheduling.enumeration.staffings import Staffings
 from missiontree.scheduling.enumeration.state import State
@@ -129,10 +128,8 @@ class Trying:
         if not in_turn and not self._anyway:
             return Tried(False, None, 0)
         # Not before it is known that the mission is small:
-        self._relations, self._load = (
-            Relations(self._graph),
-            Load(self._problem, self._robots.of_kind, self._robots.until),
-        )
+        self._relations = self._putting.relations
+        self._load = Load(self._problem, self._robots.of_kind, self._robots.until)
         try:
             for chosen in product(*(way or [-1] for way in ways)):
                 self._under_way = {one: last for one, last in zip(opened, chosen, strict=True) if last >= 0}
