@@ -35,7 +35,11 @@ def test_without_a_near_name_those_there_are_are_enough(files: list[Path]) -> No
 
 
 def test_where_no_name_is_strange_all_files_are_told(files: list[Path]) -> None:
-    for message in ("'truck' starts at place 'base', which is in a keep-out.", "a road joins two floors; use a lift."):
+    for message in (
+        "'truck' starts at place 'base', which is in a keep-out.",
+        "place 'bse' is told twice.",
+        "a road joins two floors; use a lift.",
+    ):
         told = misfit(message, files, PLACES, ALL)
         assert (str(told), told.file) == (f"{message}\n  {ALL}", "")
 

@@ -14,6 +14,8 @@ from pathlib import Path
 
 from missiontree.errors import InputError
 
+MISSED = "does not have"
+"""How rules say that a name of one file stands in no other; what else they say of names is not about spelling."""
 _MOST_LISTED = 12
 _LARGEST = 2_000_000  # characters of a file that is looked through
 
@@ -33,7 +35,7 @@ def misfit(message: str, files: Sequence[Path], names: Mapping[str, Sequence[str
     hint
         What to do where no place is found, or there is no name to be taken instead.
     """
-    for kind, known in names.items():
+    for kind, known in names.items() if MISSED in message else ():
         for name in re.findall(rf"\b{kind} '([^'\n]+)'", message):
             if name not in known:
                 file, line = _place(name, files)
