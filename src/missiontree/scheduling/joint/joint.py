@@ -246,7 +246,7 @@ def _raise(view: _View, known: Known, control: Control, share: float) -> Iterato
         if asked.verdict == "infeasible":
             known.word, width = upper + 1, 2 * width
         elif asked.start:
-            known.offer(handed_out(view.problem, asked.chosen, asked.start))
+            known.offer(handed_out(view.problem, view.paths, asked.chosen, asked.start))
         else:
             width //= 2
         yield
@@ -275,7 +275,7 @@ def _solver(view: _View, known: Known, control: Control, left: Callable[[], floa
         found=lambda makespan: _tell(known, control, makespan),
     )
     if one.start:
-        known.offer(handed_out(problem, one.chosen, one.start))
+        known.offer(handed_out(problem, view.paths, one.chosen, one.start))
     known.word = min(max(one.bound, known.word), known.best.makespan)
     if known.closed or known.word < known.best.makespan or left() < LEAST_S or control.stop():
         return
@@ -292,5 +292,5 @@ def _solver(view: _View, known: Known, control: Control, left: Callable[[], floa
     if other.verdict == "infeasible":
         known.raise_bound(known.best.makespan, "second_formulation")
     elif other.start:  # the first model was wrong: the better schedule stands, and the solver's word does not
-        known.offer(handed_out(problem, other.chosen, other.start))
+        known.offer(handed_out(problem, view.paths, other.chosen, other.start))
         known.word = 0

@@ -23,7 +23,9 @@ class Timeline:
         self._ends: list[list[list[int]]] = [[[] for _ in range(robots)] for robots in count]
 
     def fit(self, kind: int, ready: int, duration: int) -> Fit:
-        """Earliest start at or after ``ready``, and the robot of the type that is free from then on for as long."""
+        """Earliest start at or after ``ready``, and the robot that is free for so long. What takes no time waits for nobody."""
+        if not duration:
+            return ready, 0
         best, chosen = -1, 0
         for robot, (starts, ends) in enumerate(zip(self._starts[kind], self._ends[kind], strict=True)):
             if not ends or ends[-1] <= ready:
