@@ -108,11 +108,11 @@ def test_after_a_stop_the_chain_of_a_large_tree_is_told_only_if_it_is_to_be_draw
 ) -> None:
     instance = read_instance(tmp_path / written(tmp_path, "shop.txt", SHOP))
     found = schedule_instance(instance, solver=False)
-    assert _as_plan(instance, found, "shop", drawn=False, hurried=True) is not None
+    assert _as_plan(instance, found, "shop", asked_for=False, hurried=True) is not None
     monkeypatch.setattr(command, "MOST_IN_A_HURRY", 14)  # one node less than it has
-    assert _as_plan(instance, found, "shop", drawn=False, hurried=True) is None
-    assert _as_plan(instance, found, "shop", drawn=True, hurried=True) is not None
-    assert _as_plan(instance, found, "shop", drawn=False, hurried=False) is not None
+    assert _as_plan(instance, found, "shop", asked_for=False, hurried=True) is None
+    assert _as_plan(instance, found, "shop", asked_for=True, hurried=True) is not None
+    assert _as_plan(instance, found, "shop", asked_for=False, hurried=False) is not None
 
 
 def test_a_chart_that_cannot_be_drawn_is_refused(shell: Shell, tmp_path: Path) -> None:
@@ -128,3 +128,45 @@ def test_more_actions_than_fit_are_counted(shell: Shell, tmp_path: Path) -> None
     lines = "\n".join(["25 1"] + ["2 1 0 1 1 0 1"] * 25)
     ran = shell("schedule", written(tmp_path, "long.txt", lines))
     assert "50 actions; --json lists them all" in ran.out
+
+
+LONG = {"kind": [1, 0, 0], "parent": [-1, 0, 0], "robot": [0, 0, 0], "utility": [0, 0, 0], "robots": 1}
+"""One robot has 4 s and 3 s to do."""
+
+
+def test_the_whole_chain_and_what_would_shorten_it_are_told_where_asked(shell: Shell, tmp_path: Path) -> None:
+    file = written(tmp_path, "tree.json", json.dumps(LONG | {"duration": [0, 4, 3]}))
+    ran = shell("schedule", file, "--why-so-long")
+    assert "Why it takes 7 s: 7 s of work, one after the other" in ran.out
+    lines = [line.strip() for line in ran.out.splitlines()]
+    assert lines[-3:-1] == [
+        "What more would bring (scheduled anew)",
+        "one more robot-0: 4 s instead of 7 s (proven shortest); without it that is impossible",
+    ]
+    chain = json.loads(shell("schedule", file, "--why-so-long", "--json").out)["critical_chain"]
+    assert chain["additions"] == [
+        {
+            "robots": {"robot-0": 1},
+            "verdict": "shorter",
+            "status": "optimal",
+            "makespan_s": 4.0,
+            "bound_s": 4.0,
+            "claim": "proven",
+            "method": "critical_path",
+        }
+    ]
+    assert "additions" not in json.loads(shell("schedule", file, "--json").out)["critical_chain"]
+
+
+def test_a_chain_with_more_parts_than_are_told_names_the_option_that_tells_all(shell: Shell, tmp_path: Path) -> None:
+    """Twenty operations of one job, on two machines in turn: twenty parts."""
+    job = " ".join(f"1 {number % 2} 1" for number in range(20))
+    file = written(tmp_path, "long.txt", f"1 2\n20 {job}\n")
+    assert "… 12 more; --why-so-long tells all of them" in shell("schedule", file).out
+    assert "more;" not in shell("schedule", file, "--why-so-long").out
+
+
+def test_what_cannot_be_done_has_no_length_to_be_told(shell: Shell, tmp_path: Path) -> None:
+    stuck = {"kind": [2], "parent": [-1], "robot": [0], "utility": [0], "robots": 1}
+    ran = shell("schedule", written(tmp_path, "stuck.json", json.dumps(stuck)), "--why-so-long")
+    assert (ran.code, ran.err) == (1, "")

@@ -17,10 +17,10 @@ def test_the_files_of_the_page_give_the_outputs_of_the_page(tmp_path: Path) -> N
     (tmp_path / "shop.txt").write_text(blocks[0][1], encoding="utf-8")
     (tmp_path / "mission.json").write_text(next(text for kind, text in blocks if kind == "json"), encoding="utf-8")
     shown = re.findall(r"<!-- shown: ([^\n]*) -->\n```text\n(.*?)```", page, re.DOTALL)
-    assert len(shown) == 3
+    assert len(shown) == 4
     (tmp_path / "schedule.json").write_text(printed("schedule shop.txt --json", tmp_path), encoding="utf-8")
     for arguments, text in shown:
-        assert TOOK.sub("", printed(arguments, tmp_path)) == TOOK.sub("", text)
+        assert TOOK.sub("", text) in TOOK.sub("", printed(arguments, tmp_path))
 
 
 def printed(arguments: str, folder: Path) -> str:

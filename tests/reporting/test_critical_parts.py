@@ -77,7 +77,7 @@ def test_of_a_long_chain_both_ends_are_told_beside_other_things() -> None:
     plan = planned(instance, Fleet((robots("a"),)))
     shown = lines(plan, 4)
     assert [line.split()[5].rstrip(";") for line in shown[:2] + shown[3:]] == ["P00", "P01", "P18", "P19"]
-    assert shown[2] == "… 16 more; --why-so-long tells all of them"
+    assert shown[2] == "… 16 more; missiontree show --why-so-long tells all of them"
     assert len(lines(plan)) == 20
 
 

@@ -17,7 +17,9 @@ from missiontree.errors import InputError
 
 if TYPE_CHECKING:
     from missiontree.instances import Instance
+    from missiontree.mission.chain import WhySoLong
     from missiontree.mission.coalitions import CoalitionSchedule
+    from missiontree.mission.control import Control
     from missiontree.mission.plan import Plan
     from missiontree.mission.tree_schedule import TreeSchedule
 
@@ -27,6 +29,8 @@ MOST_EXPLAINED = 5_000
 MOST_IN_A_HURRY = 2_000
 """Nodes of a tree above which it is not said after somebody said stop or a short limit: a quarter of a second for 15,000."""
 SHORT_S = 10.0
+MOST_ANEW_S = 20.0
+"""What scheduling anew with more robots may take, if it is asked what would shorten a schedule."""
 
 
 def command(
@@ -49,6 +53,13 @@ def command(
     gantt: Annotated[
         Path | None, typer.Option("--gantt", metavar="FILE", help="Draw the schedule into this .svg or .png file.")
     ] = None,
+    why_so_long: Annotated[
+        bool,
+        typer.Option(
+            "--why-so-long",
+            help="Print the whole critical chain, and which robot would shorten it: it is scheduled anew with each, in 20 s more.",
+        ),
+    ] = False,
     seed: options.Seed = None,
     as_json: options.AsJson = False,
     colour: options.Colour = None,
@@ -75,8 +86,12 @@ def command(
             schedule = schedule_instance(instance, control, solver=asks, bound_share=bound_share)
         elapsed = perf_counter() - started
         hurried = control.stop() or (time_limit < SHORT_S and control.ended())
-        plan = _as_plan(instance, schedule, file.name, drawn=gantt is not None, hurried=hurried)
-        told = Told(form, instance, schedule, file.name, seed or 0, time_limit, elapsed, plan)
+        asked_for = gantt is not None or why_so_long
+        plan = _as_plan(instance, schedule, file.name, asked_for=asked_for, hurried=hurried)
+        if plan is None and gantt is not None:
+            raise InputError("--gantt: nothing is scheduled, so there is nothing to draw")
+        why = _length(plan, instance, control, time_limit, solver=asks) if plan is not None and why_so_long else None
+        told = Told(form, instance, schedule, file.name, seed or 0, time_limit, elapsed, plan, why)
         if as_json:
             typer.echo(json_of(told), nl=False)
         else:
@@ -86,22 +101,29 @@ def command(
     return Exit.CANNOT_BE_DONE if schedule.status == "infeasible" else Exit.DELIVERED
 
 
+def _length(plan: Plan, instance: Instance, control: Control, time_limit_s: float, *, solver: bool) -> WhySoLong:
+    """Why it is so long; what would shorten it is tried for as long as the schedule was, but no longer than that is waited for."""
+    from missiontree.explaining.instance_length import instance_length
+    from missiontree.mission.control import Control
+
+    again = Control(time_limit_s=min(time_limit_s, MOST_ANEW_S), stop=control.stop, seed=control.seed)
+    return instance_length(plan, instance, again, solver=solver)
+
+
 def _as_plan(
-    instance: Instance, schedule: TreeSchedule | CoalitionSchedule, title: str, *, drawn: bool, hurried: bool
+    instance: Instance, schedule: TreeSchedule | CoalitionSchedule, title: str, *, asked_for: bool, hurried: bool
 ) -> Plan | None:
-    """The schedule as a plan, if it is to be drawn, or small enough to be looked at in passing; large trees in a hurry are not."""
+    """The schedule as a plan, if it is asked for, or small enough to be looked at in passing; large trees in a hurry are not."""
     from missiontree.instances import plan_of_instance
     from missiontree.mission.columns import TreeColumns
     from missiontree.mission.tree_schedule import TreeSchedule
 
     if schedule.status not in {"optimal", "feasible"}:
-        if drawn:
-            raise InputError("--gantt: nothing is scheduled, so there is nothing to draw")
         return None
     many = schedule.start_s if isinstance(schedule, TreeSchedule) else schedule.visits
     too_long = hurried and isinstance(instance, TreeColumns) and len(instance.kind) > MOST_IN_A_HURRY
     explained = len(many) <= MOST_EXPLAINED and not too_long
-    return plan_of_instance(instance, schedule, title) if drawn or explained else None
+    return plan_of_instance(instance, schedule, title) if asked_for or explained else None
 
 
 def _solver_there() -> bool:

@@ -12,12 +12,13 @@ from rich.table import Table
 from rich.text import Text
 
 from missiontree.instances import Instance
+from missiontree.mission.chain import Addition, WhySoLong
 from missiontree.mission.coalitions import CoalitionMission, CoalitionSchedule
 from missiontree.mission.columns import LEAF, TreeColumns
 from missiontree.mission.plan import Plan
 from missiontree.mission.tree_schedule import TreeSchedule
 from missiontree.reporting.critical.chain import chain_of
-from missiontree.reporting.critical.view import chain_view, title_of
+from missiontree.reporting.critical.view import chain_view, title_of, why_view
 from missiontree.reporting.known import known_in_words
 from missiontree.reporting.text import words
 
@@ -44,6 +45,8 @@ class Told(NamedTuple):
         Seconds that scheduling took.
     plan
         The schedule as a plan; None (default) if nothing is scheduled, or more than is looked at in passing.
+    why
+        Why it is so long, with what would shorten it; None (default) if that was not asked.
     """
 
     form: str
@@ -54,6 +57,7 @@ class Told(NamedTuple):
     time_limit_s: float
     elapsed_s: float
     plan: Plan | None = None
+    why: WhySoLong | None = None
 
 
 class Deed(NamedTuple):
@@ -191,9 +195,12 @@ def _why(told: Told) -> Iterator[RenderableType] | None:
     if told.plan is None:
         return None
     schedule = told.plan.schedules[0]
+    if told.why is not None:
+        return iter((why_view(told.why, told.plan, schedule, "it"),))
     chain = chain_of(told.plan, schedule)
     title = Text(title_of(chain, "it"), style="bold")
-    return iter((title, Padding(chain_view(told.plan, schedule, MOST_PARTS), (0, 0, 0, 2), expand=False)))
+    parts = chain_view(told.plan, schedule, MOST_PARTS, "--why-so-long")
+    return iter((title, Padding(parts, (0, 0, 0, 2), expand=False)))
 
 
 def _chain(told: Told) -> dict[str, object] | None:
@@ -211,7 +218,20 @@ def _chain(told: Told) -> dict[str, object] | None:
         }
         for step in chain.steps
     ]
-    return {"work_s": chain.work_s, "travel_s": chain.travel_s, "waiting_s": chain.waiting_s, "steps": steps}
+    told_of = {"work_s": chain.work_s, "travel_s": chain.travel_s, "waiting_s": chain.waiting_s, "steps": steps}
+    return told_of if told.why is None else told_of | {"additions": [_addition(one) for one in told.why.additions]}
+
+
+def _addition(one: Addition) -> dict[str, object]:
+    return {
+        "robots": dict(one.robots),
+        "verdict": one.verdict,
+        "status": one.status,
+        "makespan_s": one.makespan_s,
+        "bound_s": one.certificate.bound,
+        "claim": one.certificate.claim,
+        "method": one.certificate.method,
+    }
 
 
 def json_of(told: Told) -> str:

@@ -14,18 +14,18 @@ from typing import NamedTuple
 
 from missiontree.checking.checker import check_schedules
 from missiontree.errors import InternalError
+from missiontree.explaining.added import verdict_of, worth
 from missiontree.explaining.enlarging import with_more, with_room
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.as_ranking import as_ranking
 from missiontree.mission.brief import MissionBrief
-from missiontree.mission.chain import Addition, Verdict, WhySoLong
+from missiontree.mission.chain import Addition, WhySoLong
 from missiontree.mission.control import Control
 from missiontree.mission.fleet import RobotType
 from missiontree.mission.front import Option
 from missiontree.mission.plan import Plan
 from missiontree.mission.schedule import Leg, Schedule
 from missiontree.reporting.critical.chain import chain_of
-from missiontree.reporting.critical.spans import ms
 from missiontree.scheduling import SCHEDULERS
 
 MOST_TYPES = 12
@@ -96,9 +96,9 @@ class _Shortening:
                 if not self._control.ended():
                     tried.append(self._told(one, 1 / left))
                 left -= 1
-            found += [min(tried, key=_worth)] if tried else []
+            found += [min(tried, key=worth)] if tried else []
         unlimited = self._told(self._everyone(kinds), 1.0) if few and not self._control.ended() else None
-        return replace(why, additions=tuple(sorted(found, key=_worth)), unlimited=unlimited)
+        return replace(why, additions=tuple(sorted(found, key=worth)), unlimited=unlimited)
 
     def _one_more(self, kind: RobotType, like: str | None) -> _Larger:
         return _Larger(
@@ -139,7 +139,7 @@ class _Shortening:
             robots=larger.robots,
             resources=larger.resources,
             like=larger.like,
-            verdict=self._verdict(anew),
+            verdict=verdict_of(anew, self._schedule.makespan_s),
             status=anew.status,
             makespan_s=anew.makespan_s,
             certificate=anew.certificate,
@@ -165,13 +165,6 @@ class _Shortening:
             )
         return anew
 
-    def _verdict(self, anew: Schedule) -> Verdict:
-        now = ms(self._schedule.makespan_s)
-        if anew.actions and ms(anew.makespan_s) < now:
-            return "shorter"
-        bound = anew.certificate.bound if anew.certificate.claim in {"proven", "bounded"} else None
-        return "not_shorter" if bound is not None and ms(bound) >= now else "none_found"
-
 
 def _models(kind: RobotType) -> Sequence[str | None]:
     """Robots of a type that differ, by name; None if all are alike."""
@@ -179,9 +172,3 @@ def _models(kind: RobotType) -> Sequence[str | None]:
         return [None]
     unlike = {replace(robot, id=kind.id): robot.id for robot in reversed(kind.robots)}
     return [*reversed(unlike.values())][:MOST_MODELS]
-
-
-def _worth(one: Addition) -> tuple[int, int]:
-    """The shortest first, then what is proven not to help, then the rest."""
-    order = ("shorter", "not_shorter", "none_found")
-    return order.index(one.verdict), ms(one.makespan_s) if one.verdict == "shorter" else 0

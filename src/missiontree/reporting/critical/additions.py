@@ -94,6 +94,8 @@ def _together(why: WhySoLong) -> str | None:
         return None
     if why.unlimited is not None and why.unlimited.verdict == "not_shorter":
         return f"No robot of these types shortens it: {_held_by(why.chain)}"
+    if why.unlimited is None and all(one.verdict == "not_shorter" for one in tried):
+        return f"No single one shortens it: {_held_by(why.chain)}"
     return f"No robot was found that shortens it: {_held_by(why.chain)}"
 
 

@@ -20,6 +20,7 @@ from missiontree.reporting.gantt.time import in_words, span
 
 BRIEF = 8
 """Parts that are told of a chain beside other things; of a longer one, those at both ends."""
+ALL_BY = "missiontree show --why-so-long"
 
 
 def title_of(chain: CriticalChain, what: str) -> str:
@@ -44,7 +45,7 @@ def title_of(chain: CriticalChain, what: str) -> str:
     return f"Why {what} takes {in_words(chain.makespan_s)}: {listed}{follow}"
 
 
-def chain_view(plan: Plan, schedule: Schedule, most: int | None = None) -> Group:
+def chain_view(plan: Plan, schedule: Schedule, most: int | None = None, all_by: str = ALL_BY) -> Group:
     """
     The parts of the chain, a line each.
 
@@ -54,6 +55,8 @@ def chain_view(plan: Plan, schedule: Schedule, most: int | None = None) -> Group
         A schedule of the plan that has actions.
     most
         Parts that are told at most; of a longer chain those at both ends are. Default: all.
+    all_by
+        What tells all of them. Default: the command that shows plans.
     """
     parts = parts_of(plan, schedule)
     table = Table.grid(padding=(0, 2, 0, 0))
@@ -62,9 +65,7 @@ def chain_view(plan: Plan, schedule: Schedule, most: int | None = None) -> Group
     table.add_column()
     for part in both_ends(parts, most):
         if part is None:
-            table.add_row(
-                "", "", Text(f"… {len(parts) - (most or 0)} more; --why-so-long tells all of them", style="dim")
-            )
+            table.add_row("", "", Text(f"… {len(parts) - (most or 0)} more; {all_by} tells all of them", style="dim"))
         else:
             table.add_row(
                 Text(span(part.start_s, part.end_s, schedule.makespan_s)), Text(part.robot, style="cyan"), _what(part)
@@ -78,14 +79,26 @@ def title_and_view(plan: Plan, schedule: Schedule, what: str, most: int | None =
     return title_of(chain, what), [chain_view(plan, schedule, most)] if chain.steps else []
 
 
-def why_view(why: WhySoLong, plan: Plan, schedule: Schedule) -> Group:
-    """The whole answer: what the time goes into, the parts of the chain, and what more robots would bring."""
-    lines: list[RenderableType] = [Text(title_of(why.chain, called(plan, schedule.rank)), style="bold")]
+def why_view(why: WhySoLong, plan: Plan, schedule: Schedule, what: str | None = None) -> Group:
+    """
+    The whole answer: what the time goes into, the parts of the chain, and what more robots would bring.
+
+    Parameters
+    ----------
+    why
+        The answer.
+    plan, schedule
+        What it is about.
+    what
+        What the schedule is called. Default: as the plan calls its alternative.
+    """
+    title = title_of(why.chain, called(plan, schedule.rank) if what is None else what)
+    lines: list[RenderableType] = [Text(title, style="bold")]
     lines.append(Padding(chain_view(plan, schedule), (0, 0, 0, 2), expand=False))
     told = list(addition_lines(why, schedule, plan.brief.fleet))
     if told:
-        scheduler = plan.provenance.scheduler or "greedy"
-        lines += [Text(""), Text(f"What more would bring (scheduled anew by {scheduler})", style="bold")]
+        by = plan.provenance.scheduler
+        lines += [Text(""), Text(f"What more would bring (scheduled anew{f' by {by}' if by else ''})", style="bold")]
         lines += [Padding(Text(one), (0, 0, 0, 2), expand=False) for one in told]
     return Group(*lines)
 
