@@ -170,3 +170,14 @@ def test_what_cannot_be_done_has_no_length_to_be_told(shell: Shell, tmp_path: Pa
     stuck = {"kind": [2], "parent": [-1], "robot": [0], "utility": [0], "robots": 1}
     ran = shell("schedule", written(tmp_path, "stuck.json", json.dumps(stuck)), "--why-so-long")
     assert (ran.code, ran.err) == (1, "")
+
+
+def test_a_bound_is_told_in_the_unit_of_the_makespan(shell: Shell, tmp_path: Path) -> None:
+    """
+    Each of three actions takes 400 s on one machine of two: 1,200 s of work, 600 s by load, and 800 s, as 400 does not divide 600.
+
+    Without the solver nothing proves it.
+    """
+    file = written(tmp_path, "shop.txt", "3 2\n" + "1 2 0 400 1 400\n" * 3)
+    ran = shell("schedule", file, "--no-solver", "--time-limit", "1")
+    assert "Makespan 800 s, feasible; none is below 600 s (gap 25 %)" in ran.out

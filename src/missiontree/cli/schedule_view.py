@@ -118,7 +118,9 @@ def _size(instance: Instance) -> str:
 
 def _known(told: Told) -> str:
     schedule = told.schedule
-    return known_in_words(schedule.status, schedule.certificate, schedule.makespan_s)
+    return known_in_words(
+        schedule.status, schedule.certificate, schedule.makespan_s, lambda seconds: f"{_shown(seconds)} s"
+    )
 
 
 def _shown(seconds: float) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from missiontree.mission.certificate import Certificate
 from missiontree.mission.schedule import Schedule, ScheduleStatus
 from missiontree.reporting.gantt.time import in_words
@@ -20,7 +22,9 @@ _HOW = {
 FURTHER = "missiontree plan --scheduler cpsat looks longer for a shorter one, and for a proof."
 
 
-def known_in_words(status: ScheduleStatus, certificate: Certificate, makespan_s: float) -> str:
+def known_in_words(
+    status: ScheduleStatus, certificate: Certificate, makespan_s: float, told: Callable[[float], str] = in_words
+) -> str:
     """
     One of five: optimal and by what it is confirmed; optimal by the solver's word; feasible, with the gap; infeasible; unknown.
 
@@ -28,6 +32,8 @@ def known_in_words(status: ScheduleStatus, certificate: Certificate, makespan_s:
     ----------
     status, certificate, makespan_s
         Of a schedule.
+    told
+        How a time is told. Default: as people say it, such as ``42 min 6 s``.
     """
     if status == "optimal":
         return f"optimal, confirmed by {how_in_words(certificate)}"
@@ -40,7 +46,8 @@ def known_in_words(status: ScheduleStatus, certificate: Certificate, makespan_s:
     if certificate.bound is None:
         return "feasible; nothing is known of shorter ones"
     word = " by the solver's word" if certificate.claim == "solver_word" else ""
-    return f"feasible; none is below {in_words(certificate.bound)}{word} (gap {gap_in_words(certificate.bound, makespan_s)})"
+    gap = gap_in_words(certificate.bound, makespan_s)
+    return f"feasible; none is below {told(certificate.bound)}{word} (gap {gap})"
 
 
 def known_of(schedule: Schedule) -> str:
