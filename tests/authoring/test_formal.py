@@ -242,6 +242,13 @@ def test_whom_the_scene_does_not_have_is_refused(fleet: Fleet, name: str, rule: 
     assert words in f"{made.reasons[0].message} {made.reasons[0].hint}"
 
 
+def test_an_id_is_one_even_where_another_differs_in_the_case_of_its_letters_alone(fleet: Fleet) -> None:
+    twins = (Entity(id="b", kind="object", position=Position(1, 1)), Entity(id="B", kind="place", position=Position(2, 2)))
+    for name in ("b", "B"):
+        made = author_formal(brief(fleet, goal(do=f"Reach({name})"), scene=Scene(entities=twins[:1], places=twins[1:])))
+        assert calls(made.tree) == [f"Reach({name})"]
+
+
 @pytest.mark.parametrize(
     ("name", "words"),
     [
@@ -363,8 +370,8 @@ def test_goals_say_which_robots_do_them(fleet: Fleet, bonds: dict[str, Any], lin
     ("first", "second", "words"),
     [
         ({}, {"same_robot": ["nobody"]}, "refers to goal 'nobody'; named goals are: a, b"),
-        ({}, {"different_robot": ["b"]}, "cannot name, by different_robot, 'b'; one is part of the other"),
-        ({}, {"takes_over_from": "b"}, "cannot wait for 'b'; one is part of the other"),
+        ({}, {"different_robot": ["b"]}, "cannot name, by different_robot, 'b'; that is the same goal"),
+        ({}, {"takes_over_from": "b"}, "cannot wait for 'b'; that is the same goal"),
         (
             {},
             {"same_robot": ["a"], "takes_over_from": "a"},

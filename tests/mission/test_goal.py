@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -70,7 +71,7 @@ def search(who: str, **more: Any) -> Goal:
         ((search("a"), search("a")), "goal 'a' stands twice"),
         ((search("a"), search("b", after=["c"])), r"refers to goal 'c'; named goals are: a, b\."),
         ((goal(do="Search(x)", until="c"),), "refers to goal 'c'; named goals are: none"),
-        ((search("a", after=["a"]),), "cannot wait for 'a'"),
+        ((search("a", after=["a"]),), "cannot wait for 'a'; that is the same goal"),
         ((goal(task="t", name="t", goals=[search("a", after=["t"])]),), "cannot wait for 't'; one is part"),
         ((goal(task="t", after=["a"], goals=[search("a")]),), "cannot wait for 'a'; one is part"),
         # c waits for a, which is in no circle itself: only a and b, which wait for each other, are named.
@@ -87,3 +88,13 @@ def test_goals_that_refer_to_each_other_in_vain_are_refused(goals: tuple[Goal, .
 
 def test_goals_may_wait_for_those_that_stand_behind_them_or_inside_others() -> None:
     check_goals((search("a", after=["b", "c"]), search("b"), goal(task="t", goals=[search("c", after=["b"])])))
+
+
+@pytest.mark.parametrize("apart", [{"different_robot": ["a"]}, {"takes_over_from": "a"}])
+def test_goals_without_a_name_are_not_one_goal(apart: dict[str, Any]) -> None:
+    """The second is done by the robot of the first, the third by another: that is no contradiction; of one goal it is."""
+    together = goal(do="Search(b)", same_robot=["a"])
+    check_goals((search("a"), together, goal(do="Search(c)", **apart)))
+    for both in ((search("a", same_robot=["b"]), search("b", **apart)), (search("a"), replace(together, **apart))):
+        with pytest.raises(ValueError, match="one robot is to do both by same_robot"):
+            check_goals(both)

@@ -208,17 +208,19 @@ def check_goals(goals: tuple[Goal, ...]) -> None:
                 raise ValueError(f"the goal {goal.shown!r} refers to goal {name!r}; named goals are: {known}.")
             if _holds(goal, named[name]) or _holds(named[name], goal):
                 why = "wait for" if bond in WAITS else f"name, by {bond},"
-                raise ValueError(f"the goal {goal.shown!r} cannot {why} {name!r}; one is part of the other.")
+                related = "that is the same goal" if goal is named[name] else "one is part of the other"
+                raise ValueError(f"the goal {goal.shown!r} cannot {why} {name!r}; {related}.")
     _refuse_opposed(every)
     _refuse_circle(every)
 
 
 def _refuse_opposed(goals: Iterable[Goal]) -> None:
     """One robot and different ones for the same two goals; a hand-over is between different ones."""
-    bound = {frozenset((goal.name, name)) for goal in goals for name in goal.same_robot}
-    for goal in goals:
+    named = {goal.name: place for place, goal in enumerate(goals) if goal.name}
+    bound = {frozenset((place, named[name])) for place, goal in enumerate(goals) for name in goal.same_robot}
+    for place, goal in enumerate(goals):
         for bond, name in goal.bonds:
-            if bond in APART and frozenset((goal.name, name)) in bound:
+            if bond in APART and frozenset((place, named[name])) in bound:
                 raise ValueError(
                     f"the goal {goal.shown!r} names {name!r} by {bond}, and one robot is to do both by same_robot; take one of them away."
                 )

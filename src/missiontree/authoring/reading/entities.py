@@ -270,7 +270,9 @@ class Speakers:
         """Somebody whom a method needs: of the scene under one of the names, or introduced."""
         for spelling in (*known_as, name):
             phrase = Phrase(name=spelling, text=spelling)
-            exact = [entity for entity in self.scene.all_entities if plain(spelling) in spellings(entity)]
+            everyone = self.scene.all_entities
+            exact = [entity for entity in everyone if entity.id == spelling]
+            exact = exact or [entity for entity in everyone if plain(spelling) in spellings(entity)]
             if len(exact) == 1:
                 return self._of_scene(exact[0], phrase)
             if len(exact) > 1:
