@@ -243,7 +243,10 @@ def test_whom_the_scene_does_not_have_is_refused(fleet: Fleet, name: str, rule: 
 
 
 def test_an_id_is_one_even_where_another_differs_in_the_case_of_its_letters_alone(fleet: Fleet) -> None:
-    twins = (Entity(id="b", kind="object", position=Position(1, 1)), Entity(id="B", kind="place", position=Position(2, 2)))
+    twins = (
+        Entity(id="b", kind="object", position=Position(1, 1)),
+        Entity(id="B", kind="place", position=Position(2, 2)),
+    )
     for name in ("b", "B"):
         made = author_formal(brief(fleet, goal(do=f"Reach({name})"), scene=Scene(entities=twins[:1], places=twins[1:])))
         assert calls(made.tree) == [f"Reach({name})"]

@@ -115,12 +115,15 @@ def test_after_a_stop_the_chain_of_a_large_tree_is_told_only_if_it_is_to_be_draw
     assert _as_plan(instance, found, "shop", asked_for=False, hurried=False) is not None
 
 
-def test_a_chart_that_cannot_be_drawn_is_refused(shell: Shell, tmp_path: Path) -> None:
+def test_a_chart_that_cannot_be_drawn_is_refused_and_what_cannot_be_done_is_told_for_all_that(
+    shell: Shell, tmp_path: Path
+) -> None:
     refused = shell("schedule", written(tmp_path, "shop.txt", SHOP), "--gantt", "chart.doc")
     assert (refused.code, "no form of a picture" in refused.err) == (2, True)
     stuck = {"kind": [2], "parent": [-1], "robot": [0], "utility": [0], "robots": 1}
     nothing = shell("schedule", written(tmp_path, "stuck.json", json.dumps(stuck)), "--gantt", "chart.svg")
-    assert (nothing.code, "nothing is scheduled" in nothing.err) == (2, True)
+    assert (nothing.code, "Cannot be done, infeasible" in nothing.out) == (1, True)
+    assert "nothing is scheduled, so nothing is drawn" in nothing.err
     assert not (tmp_path / "chart.svg").exists()
 
 

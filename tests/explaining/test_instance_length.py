@@ -53,7 +53,7 @@ def test_with_one_more_robot_another_way_is_taken() -> None:
 def test_where_order_makes_the_length_no_robot_helps_and_that_is_proven() -> None:
     why, lines = asked(columns([AND, LEAF, LEAF], [-1, 0, 0], [0, 0, 1], [0, 3, 4], [(1, 2)]))
     assert [one.verdict for one in why.additions] == ["not_shorter", "not_shorter"]
-    assert lines[-1].startswith("No single one shortens it: no part of the chain waits for a busy robot;")
+    assert lines[-1].startswith("No single one of these shortens it: no part of the chain waits for a busy robot;")
 
 
 def test_equal_robots_are_one_more_of_their_type() -> None:
@@ -82,7 +82,8 @@ def test_a_second_robot_does_the_other_task() -> None:
 
 def test_a_team_that_is_as_large_as_it_may_be_gets_nobody_more() -> None:
     why, lines = asked(coalitions(12))
-    assert (why.additions, lines) == ((), [])
+    assert why.additions == ()
+    assert lines == ["No further robot was tried: a mission of coalitions has 12 at most."]
 
 
 @pytest.mark.parametrize("looks", [0, 1])
@@ -95,9 +96,14 @@ def test_what_was_tried_before_a_stop_is_kept(looks: int) -> None:
         return left[0] < 0
 
     tree = columns([AND, LEAF, LEAF], [-1, 0, 0], [0, 0, 1], [0, 3, 4], [(1, 2)])
-    why, _ = asked(tree, Control(stop=stop))
+    why, lines = asked(tree, Control(stop=stop))
     assert len(why.additions) == looks
     assert why.chain.makespan_s == 7
+    several = ("2 further additions were", "1 further addition was")[looks]
+    assert lines[looks:] == [
+        f"{several} not tried, for want of time.",
+        *["Nothing was found that shortens it."] * looks,
+    ]
 
 
 def test_nothing_is_tried_for_a_schedule_that_takes_no_time() -> None:

@@ -160,7 +160,7 @@ def test_the_chain_tells_of_waits_for_the_track() -> None:
     plan = plugged(dock(), "greedy")
     assert [(step.kind, step.bond) for step in chain_of(plan, plan.schedules[0]).steps][-2:] == [
         ("refill", "robot"),
-        ("home", "robot"),
+        ("home", "refill"),
     ]
 
 

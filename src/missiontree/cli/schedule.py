@@ -88,14 +88,14 @@ def command(
         hurried = control.stop() or (time_limit < SHORT_S and control.ended())
         asked_for = gantt is not None or why_so_long
         plan = _as_plan(instance, schedule, file.name, asked_for=asked_for, hurried=hurried)
-        if plan is None and gantt is not None:
-            raise InputError("--gantt: nothing is scheduled, so there is nothing to draw")
         why = _length(plan, instance, control, time_limit, solver=asks) if plan is not None and why_so_long else None
         told = Told(form, instance, schedule, file.name, seed or 0, time_limit, elapsed, plan, why)
         if as_json:
             typer.echo(json_of(told), nl=False)
         else:
             show(view_of(told), colour)
+        if plan is None and gantt is not None:
+            remark("nothing is scheduled, so nothing is drawn", colour)
         for drawn in write_pictures(plan, asked) if plan is not None else ():
             remark(f"written to {drawn}", colour)
     return Exit.CANNOT_BE_DONE if schedule.status == "infeasible" else Exit.DELIVERED

@@ -221,7 +221,9 @@ def _chain(told: Told) -> dict[str, object] | None:
         for step in chain.steps
     ]
     told_of = {"work_s": chain.work_s, "travel_s": chain.travel_s, "waiting_s": chain.waiting_s, "steps": steps}
-    return told_of if told.why is None else told_of | {"additions": [_addition(one) for one in told.why.additions]}
+    if told.why is None:
+        return told_of
+    return told_of | {"additions": [_addition(one) for one in told.why.additions], "untried": told.why.untried}
 
 
 def _addition(one: Addition) -> dict[str, object]:

@@ -39,3 +39,11 @@ def worth(one: Addition) -> tuple[int, int]:
     """The shortest first, then what is proven not to help, then the rest."""
     order = ("shorter", "not_shorter", "none_found")
     return order.index(one.verdict), ms(one.makespan_s) if one.verdict == "shorter" else 0
+
+
+def not_tried(number: int) -> str:
+    """A sentence about so many additions for which there was no time; empty if there are none."""
+    if not number:
+        return ""
+    several = "1 further addition was" if number == 1 else f"{number} further additions were"
+    return f"{several} not tried, for want of time."

@@ -52,6 +52,24 @@ def with_room(scene: Scene, resource_id: str, places: int = 1) -> Scene:
     return replace(scene, resources=resources)
 
 
+def with_plugs(scene: Scene, charger_id: str, robots: int = 1) -> Scene:
+    """
+    The scene with room for more robots at a time at a charger.
+
+    Raises
+    ------
+    ValueError
+        If the scene has no such charger.
+    """
+    if all(charger.id != charger_id for charger in scene.chargers):
+        raise ValueError(f"the scene has no charger {charger_id!r}.")
+    chargers = tuple(
+        replace(charger, capacity=charger.capacity + robots) if charger.id == charger_id else charger
+        for charger in scene.chargers
+    )
+    return replace(scene, chargers=chargers)
+
+
 def _larger(kind: RobotType, count: int, like: str | None, fleet: Fleet) -> RobotType:
     most = None if kind.max_in_use is None else kind.max_in_use + count
     if not kind.robots:

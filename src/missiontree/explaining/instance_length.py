@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 
-from missiontree.explaining.added import verdict_of, worth
+from missiontree.explaining.added import not_tried, verdict_of, worth
 from missiontree.instances import Instance, schedule_instance
 from missiontree.mission.chain import Addition, WhySoLong
 from missiontree.mission.coalitions import MOST_COALITION_ROBOTS, CoalitionMission
@@ -21,6 +21,8 @@ from missiontree.reporting.critical.chain import chain_of
 
 MOST_TRIED = 12
 """Robots, or types of equal ones, of which one more is tried: those that the chain names most often first."""
+
+FULL = f"No further robot was tried: a mission of coalitions has {MOST_COALITION_ROBOTS} at most."
 
 
 def instance_length(plan: Plan, instance: Instance, control: Control, *, solver: bool = True) -> WhySoLong:
@@ -57,7 +59,8 @@ def instance_length(plan: Plan, instance: Instance, control: Control, *, solver:
                 certificate=anew.certificate,
             )
         )
-    return replace(why, additions=tuple(sorted(found, key=worth)))
+    untried = not_tried(len(asked) - len(found)) if asked else FULL
+    return replace(why, additions=tuple(sorted(found, key=worth)), untried=untried)
 
 
 def _larger(plan: Plan, instance: Instance, why: WhySoLong) -> Iterator[tuple[str, Instance]]:

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 from missiontree.checking.checker import check_schedules
 from missiontree.errors import InternalError
-from missiontree.explaining.added import verdict_of, worth
-from missiontree.explaining.enlarging import with_more, with_room
+from missiontree.explaining.added import not_tried, verdict_of, worth
+from missiontree.explaining.enlarging import with_more, with_plugs, with_room
 from missiontree.mission.alternative import Alternative
 from missiontree.mission.as_ranking import as_ranking
 from missiontree.mission.brief import MissionBrief
@@ -89,16 +89,19 @@ class _Shortening:
         asked += [[self._more_room([resource])] for resource in waited]
         asked += [[self._more_room(waited)]] if len(waited) > 1 else []  # a way may lead through several
         few = sum(self._roles.values()) <= MOST_ROLES and len(kinds) <= MOST_TYPES
-        left, found = sum(map(len, asked)) + few, list[Addition]()
+        left, found, missed = sum(map(len, asked)) + few, list[Addition](), 0
         for models in asked:
             tried: list[Addition] = []
             for one in models:
-                if not self._control.ended():
+                if self._control.ended():
+                    missed += 1
+                else:
                     tried.append(self._told(one, 1 / left))
                 left -= 1
             found += [min(tried, key=worth)] if tried else []
         unlimited = self._told(self._everyone(kinds), 1.0) if few and not self._control.ended() else None
-        return replace(why, additions=tuple(sorted(found, key=worth)), unlimited=unlimited)
+        missed += few and unlimited is None
+        return replace(why, additions=tuple(sorted(found, key=worth)), unlimited=unlimited, untried=not_tried(missed))
 
     def _one_more(self, kind: RobotType, like: str | None) -> _Larger:
         return _Larger(
@@ -109,7 +112,8 @@ class _Shortening:
         scene = self._brief.scene
         assert scene is not None
         for resource in resources:
-            scene = with_room(scene, resource)
+            more = with_room if resource in self._brief.world.shared else with_plugs
+            scene = more(scene, resource)
         return _Larger(replace(self._brief, scene=scene), {}, dict.fromkeys(resources, 1))
 
     def _everyone(self, kinds: Sequence[RobotType]) -> _Larger:
@@ -119,19 +123,23 @@ class _Shortening:
         return _Larger(replace(self._brief, fleet=fleet), {kind.id: self._roles[kind.id] for kind in kinds}, {})
 
     def _waited_for(self, why: WhySoLong) -> list[str]:
-        """Shared resources that the chain waits for, on ways too."""
+        """Shared resources that the chain waits for, on ways too, and chargers."""
         assert self._plan.grounding is not None
         tree, world = self._plan.grounding.tree, self._brief.world
-        waited: set[str] = set()
+        visits = {(one.robot, one.start_s): one.charger for one in self._schedule.recharges}
+        waited, full = set[str](), set[str]()
         for step in why.chain.steps:
             if step.bond != "resource":
+                continue
+            if step.kind == "refill":
+                full.add(visits[step.robot, step.start_s])
                 continue
             ways: list[Leg] = [leg for leg in self._schedule.legs if leg.leaf == step.leaf]
             if step.kind == "home":
                 ways = [leg for leg in self._schedule.returns if leg.robot == step.robot]
             waited |= {name for leg in ways for name in world.passed(leg.via)}
             waited |= {*tree.action(step.leaf).holds} if step.kind not in {"home", "travel"} else set()
-        return sorted(waited & world.shared.keys())
+        return sorted((waited & world.shared.keys()) | full)
 
     def _told(self, larger: _Larger, share: float) -> Addition:
         anew = self._scheduled(larger.brief, share)

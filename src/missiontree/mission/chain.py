@@ -106,7 +106,7 @@ class Addition(Value):
     robots
         How many robots are added, by type; empty if none is.
     resources
-        By how much the capacity of shared resources is raised; empty if none is.
+        By how much the capacity of shared resources and chargers is raised; empty if none is.
     like
         Robot of which the one that is added is a copy: it starts where that one does, with as much; None where robots of its type
         are all alike, or where several are added.
@@ -139,12 +139,15 @@ class WhySoLong(Value):
     chain
         Its critical chain.
     additions
-        One more robot of each type that takes part, and one more place at each shared resource that is waited for, and at all of them;
-        those that shorten it most first.
+        One more robot of each type that takes part, and one more place at each shared resource or charger that is waited for, and at
+        all of them; those that shorten it most first.
     unlimited
         As many more robots of every type as there are roles, so that nobody is ever waited for; None if that was not tried.
+    untried
+        What was not tried, and why, as a sentence; empty (default) if everything was.
     """
 
     chain: CriticalChain
     additions: tuple[Addition, ...] = ()
     unlimited: Addition | None = None
+    untried: str = ""

@@ -36,6 +36,8 @@ def addition_lines(why: WhySoLong, schedule: Schedule, fleet: Fleet) -> Iterator
         outcomes.setdefault(_outcome(why.unlimited, schedule), []).append(everyone)
     for outcome, added in outcomes.items():
         yield f"{'; '.join(added)}: {outcome}"
+    if why.untried:
+        yield why.untried
     if (verdict := _together(why)) is not None:
         yield verdict
 
@@ -92,14 +94,17 @@ def _together(why: WhySoLong) -> str | None:
     tried = [*why.additions, *([why.unlimited] if why.unlimited is not None else [])]
     if not tried or any(one.verdict == "shorter" for one in tried):
         return None
-    if why.unlimited is not None and why.unlimited.verdict == "not_shorter":
-        return f"No robot of these types shortens it: {_held_by(why.chain)}"
-    if why.unlimited is None and all(one.verdict == "not_shorter" for one in tried):
-        return f"No single one shortens it: {_held_by(why.chain)}"
-    return f"No robot was found that shortens it: {_held_by(why.chain)}"
+    if why.untried or any(one.verdict == "none_found" for one in tried):
+        return "Nothing was found that shortens it."
+    what = "No single one of these" if why.unlimited is None else "Nothing of this"
+    return f"{what} shortens it: {_held_by(why.chain)}"
 
 
 def _held_by(chain: CriticalChain) -> str:
-    if any(step.bond == "robot" for step in chain.steps):
-        return "the chain waits for busy robots, and a further one that is free is no earlier there."
+    bonds = {step.bond for step in chain.steps}
+    waits = [
+        words for bond, words in (("robot", "busy robots"), ("resource", "room in what robots share")) if bond in bonds
+    ]
+    if waits:
+        return f"the chain waits for {' and for '.join(waits)}, but with more of it nothing ends earlier."
     return "no part of the chain waits for a busy robot; work, ways, order and times make it that long."

@@ -8,7 +8,7 @@ time and what has to pass in between, a way or an action. It is *bound* by a cau
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Literal, NamedTuple
 
 from missiontree.mission.chain import Bond
@@ -17,16 +17,25 @@ from missiontree.mission.grounded import GroundedTree
 from missiontree.mission.scene import Scene
 from missiontree.mission.schedule import OwnLeg, Schedule, ScheduledAction, TravelLeg
 from missiontree.mission.ticks import ticks
-from missiontree.reporting.critical.refills import refills_of
+from missiontree.reporting.critical.refills import Detour, Detours
 from missiontree.reporting.critical.spans import Spans, ms
 
 Passing = Literal["", "action", "travel", "under_way", "refill"]
 
 
 class Event(NamedTuple):
-    """Start or end of an action, or the departure of the robot that does it."""
+    """
+    Something that happens at a moment.
 
-    kind: Literal["start", "end", "departure"]
+    Parameters
+    ----------
+    kind
+        Start or end of an action, or the departure of the robot that does it; or that a robot begins, or ends, to refill.
+    leaf
+        The action; of a visit to a charger, its place in :attr:`Bonds.detours`.
+    """
+
+    kind: Literal["start", "end", "departure", "plug", "unplug"]
     leaf: int
 
 
@@ -87,7 +96,8 @@ class Bonds:
         self._robots: dict[str, list[tuple[int, int, int]]] = {}  # end, start, leaf
         self._brought: dict[str, list[int]] = {}  # leaves that move an entity
         self._used: dict[str, list[int]] = {}  # leaves done where an entity is
-        self._refills = refills_of(schedule)
+        room = {charger.id: charger.capacity for charger in scene.chargers} if scene is not None else {}
+        self.detours = Detours(schedule, room)
         self._held_by: dict[
             str, list[tuple[int, int, Cause]]
         ] = {}  # by shared resource: from when to when, and what its end is
@@ -102,6 +112,9 @@ class Bonds:
         """When an event happens."""
         if event.kind == "departure":
             return ms(self.legs[event.leaf].start_s)
+        if event.kind in {"plug", "unplug"}:
+            visit = self.detours.visits[event.leaf]
+            return ms(visit.start_s if event.kind == "plug" else visit.end_s)
         one = self.at[event.leaf]
         return ms(one.start_s if event.kind == "start" else one.end_s)
 
@@ -109,6 +122,10 @@ class Bonds:
         """What an event waits for, the nearest reasons first."""
         if event.kind == "end":
             yield from self._causes_of_end(event.leaf)
+        elif event.kind == "unplug":
+            yield from self._causes_of_unplug(event)
+        elif event.kind == "plug":
+            yield from (Cause("resource", Event("unplug", other)) for other in self.detours.waited_for(event.leaf))
         elif event.kind == "departure":
             yield from self._free(event)
             yield from self._resources(event)
@@ -123,33 +140,42 @@ class Bonds:
 
     def held_back(self, event: Event) -> Literal["release", "available", "refill"] | None:
         """What holds back an event that is no other event: a release time, or that a robot is not there, or refills, before; else None."""
+        if event.kind in {"plug", "unplug"}:
+            return None if any(self.causes(event)) else "refill"
         if self.released(event):
             return "release"
         late = event.kind != "end" and any(
             self._comes_at(mate) == self.time(event) > 0 for mate in self.joint(event.leaf)
         )
-        if event.kind != "end" and self.refilled_since(event) is not None and not any(self._free(event)):
-            return "refill"
         return "available" if late else None
 
-    def refilled_since(self, event: Event) -> int | None:
-        """From when on a robot was on its way to a charger that it leaves at an event; None if it leaves none then."""
-        stretches = self._refills.get(self.at[event.leaf].robot, ())
-        return next((since for since, until in stretches if until == self.time(event)), None)
+    def detour_to(self, event: Event) -> Detour | None:
+        """The detour to chargers that a robot ends with an event; None if it ends none then."""
+        detours = self.detours.of.get(self.at[event.leaf].robot, ())
+        return next((one for one in detours if one.until == self.time(event)), None)
+
+    def leaf_of(self, event: Event) -> int:
+        """The action that an event is about; of a visit to a charger, the one that the robot did before, else the first that it does."""
+        if event.kind not in {"plug", "unplug"}:
+            return event.leaf
+        before = self.detours.holding(event.leaf).after
+        robot = self.detours.visits[event.leaf].robot
+        own = (one for one in self.at.values() if one.robot == robot)
+        return (
+            before if before is not None else min(own, key=lambda one: (ms(one.start_s), ms(one.end_s), one.leaf)).leaf
+        )
 
     def _comes_at(self, leaf: int) -> int:
-        """From when on the robot of an action takes part, in milliseconds."""
-        robot = self.at[leaf].robot
+        return self.comes(self.at[leaf].robot)
+
+    def comes(self, robot: str) -> int:
+        """From when on a robot takes part, in milliseconds."""
         kind = self._fleet.type_of.get(robot) if self._fleet is not None else None
         return 0 if kind is None or self._fleet is None else ticks(kind.availability(self._fleet.robots[robot])[0])
 
     def shares(self, leg: OwnLeg) -> bool:
         """Whether a way leads along what robots share."""
         return self._passed is not None and bool(self._passed(leg.via))
-
-    def refills(self, robot: str) -> Sequence[tuple[int, int]]:
-        """Detours of a robot to chargers, from when to when in milliseconds."""
-        return self._refills.get(robot, ())
 
     def joint(self, leaf: int) -> list[int]:
         """Actions that start and end together with one, itself included."""
@@ -174,6 +200,16 @@ class Bonds:
             yield Cause("hand_over", Event("start", self.taker[leaf]))
         for open_ended in self._kept_up_by(leaf):
             yield Cause("under_way", Event("start", open_ended), 1, "under_way")
+
+    def _causes_of_unplug(self, event: Event) -> Iterator[Cause]:
+        """The last wait for room at a charger on the same detour; else what the robot did before it."""
+        now, detour = self.time(event), self.detours.holding(event.leaf)
+        held_up = self.detours.last_wait(event.leaf)
+        if held_up is not None:
+            plug = Event("plug", held_up)
+            yield Cause("start", plug, now - self.time(plug), "refill")
+        elif detour.after is not None:
+            yield Cause("robot", Event("end", detour.after), now - detour.since, "refill")
 
     def _kept_up_by(self, leaf: int) -> Iterator[int]:
         """Open-ended actions that must be under way when an action ends, those that last until such a one ends included."""
@@ -215,18 +251,19 @@ class Bonds:
         done, now = self._robots[self.at[event.leaf].robot], self.time(event)
         place = bisect_right(done, (now, now, len(self.tree.nodes)))
         latest: int | None = None
-        since = self.refilled_since(event)
+        detour = self.detour_to(event)
         for end, _, leaf in reversed(done[:place]):
             if leaf == event.leaf:
                 continue
-            if since is not None and end == since < now:
-                yield Cause("refill", Event("end", leaf), now - since, "refill")
-                return
+            if detour is not None and end <= detour.since < now:
+                break
             if latest is not None and end < latest:
                 return
             latest = end
             bond: Bond = "role" if self._before.get(event.leaf) == leaf else "robot"
             yield Cause(bond, Event("end", leaf))
+        if detour is not None:
+            yield Cause("refill", Event("unplug", detour.visits[-1]))
 
     def _entities(self, event: Event) -> Iterator[Cause]:
         """Who is brought here first, and who still needs what is to be taken away."""

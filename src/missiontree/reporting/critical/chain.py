@@ -86,14 +86,13 @@ def _and_home(bonds: Bonds, home: OwnLeg) -> tuple[Step, ...]:
     if not own:
         return ()
     last = max(own, key=lambda one: (ms(one.end_s), ms(one.start_s), one.leaf))
-    steps = _Walk(bonds).steps(Event("end", last.leaf))
-    over, leaves = ms(last.end_s), ms(home.start_s)
-    back = next((until for since, until in bonds.refills(home.robot) if since == over < until), over)
-    if back > over:
-        steps.append(Step("refill", last.leaf, home.robot, last.end_s, back / 1000, "robot"))
-    bond: Bond = "robot"
-    if back < leaves:
-        steps.append(Step("wait", last.leaf, home.robot, back / 1000, home.start_s, "robot"))
+    detours = bonds.detours.of.get(home.robot, ())
+    visit = next((one.visits[-1] for one in detours if ms(last.end_s) == one.since < one.until), None)
+    came = Event("end", last.leaf) if visit is None else Event("unplug", visit)
+    steps, free, leaves = _Walk(bonds).steps(came), bonds.time(came), ms(home.start_s)
+    bond: Bond = "robot" if visit is None else "refill"
+    if free < leaves:
+        steps.append(Step("wait", last.leaf, home.robot, free / 1000, home.start_s, "robot"))
         bond = "resource" if bonds.shares(home) else "unexplained"
     return (*steps, Step("home", last.leaf, home.robot, home.start_s, home.end_s, bond))
 
@@ -158,13 +157,17 @@ class _Walk:
         Where that leads; None if there is no such cause, or if it is known why it is waited.
         """
         bonds, time = self._bonds, self._bonds.time(event)
-        if (known := bonds.held_back(event)) is not None:
+        known: Bond | None = bonds.held_back(event)
+        if known is not None:
             self._bind(known)
-            since = bonds.refilled_since(event) if known == "refill" else None
-            if since is not None:
-                self._put("refill", event.leaf, since, time)
-            if since != 0:
-                self._put("wait", event.leaf, 0, time if since is None else since)
+            leaf, since = bonds.leaf_of(event), time
+            if known == "refill":
+                since = bonds.detours.holding(event.leaf).since
+                self._put("refill", leaf, since, time)
+                known = "available" if since == bonds.comes(bonds.at[leaf].robot) else "unexplained"
+            if since:
+                self._bind(known)
+                self._put("wait", leaf, 0, since)
             return None
         past = [cause for cause in bonds.causes(event) if bonds.time(cause.event) + cause.lag < time]
         cause = max(past, key=lambda cause: bonds.time(cause.event) + cause.lag, default=None)
@@ -180,11 +183,13 @@ class _Walk:
         """What passes between a cause and what it binds, latest first."""
         if cause.bond != "start":
             self._bind(cause.bond)
-        time, leaf = self._bonds.time(cause.event), cause.event.leaf
+        time, leaf = self._bonds.time(cause.event), self._bonds.leaf_of(cause.event)
         if cause.bond == "until":
             self._put("until", event.leaf, time, time)
         elif cause.passing:
             self._put(cause.passing, leaf, time, time + cause.lag)
+            if cause.passing == "refill" and cause.event.kind == "end":
+                self._bind("robot")
 
     def _put(self, kind: StepKind, leaf: int, start: int, end: int) -> None:
         robot = self._bonds.at[leaf].robot

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from missiontree.mission.chain import Step
@@ -54,7 +54,10 @@ def parts_of(plan: Plan, schedule: Schedule) -> tuple[Part, ...]:
             runs[-1].append(step)
         else:
             runs.append([step])
-    return tuple(_parts(tree, runs))
+    chargers = plan.brief.scene.chargers if plan.brief.scene is not None else ()
+    labels = {charger.id: one_line(charger.label) for charger in chargers}
+    at = {(one.robot, ms(one.start_s)): labels.get(one.charger, one.charger) for one in schedule.recharges}
+    return tuple(_parts(tree, runs, at))
 
 
 def _goes_on(tree: GroundedTree, before: Step, step: Step) -> bool:
@@ -63,7 +66,10 @@ def _goes_on(tree: GroundedTree, before: Step, step: Step) -> bool:
     return same and not waits
 
 
-def _parts(tree: GroundedTree, runs: Sequence[Sequence[Step]]) -> Iterator[Part]:
+def _parts(
+    tree: GroundedTree, runs: Sequence[Sequence[Step]], chargers: Mapping[tuple[str, int], str]
+) -> Iterator[Part]:
+    """The parts; ``chargers``: what the one is called at which a robot begins to refill at a moment."""
     for place, run in enumerate(runs):
         before = runs[place - 1][-1] if place else None
         first, last = run[0], run[-1]
@@ -77,13 +83,13 @@ def _parts(tree: GroundedTree, runs: Sequence[Sequence[Step]]) -> Iterator[Part]
             last.end_s,
             sum(ms(step.end_s) - ms(step.start_s) for step in run if _moving(tree, step)) / 1000,
             waits,
-            "" if before is None or before.kind == "wait" else _after(tree, before, first),
+            "" if before is None or before.kind == "wait" else _after(tree, before, first, chargers),
         )
 
 
 def _doing(tree: GroundedTree, step: Step) -> str:
     if step.kind == "refill":
-        return "refilling, the way to the charger included"
+        return "refilling" if step.bond == "resource" else "refilling, the way to the charger included"
     return "the way home" if step.kind == "home" else one_line(tree.roles[tree.action(step.leaf).role].label)
 
 
@@ -106,7 +112,9 @@ def _waiting(tree: GroundedTree, step: Step, then: Step | None) -> str:
     return f"nothing, and the schedule does not say why: {text} could start earlier"
 
 
-def _after(tree: GroundedTree, before: Step, step: Step) -> str:
+def _after(tree: GroundedTree, before: Step, step: Step, chargers: Mapping[tuple[str, int], str]) -> str:
+    if step.kind == "refill" and step.bond == "resource":
+        return f"once {before.robot} has left {chargers[step.robot, ms(step.start_s)]}"
     text = one_line(tree.action(before.leaf).text)
     if before.kind == "travel":
         text = f"on the way to: {text}"

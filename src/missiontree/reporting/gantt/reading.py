@@ -165,7 +165,7 @@ class _Robot:
 
     def _waits(self) -> Iterator[Stretch]:
         """Time in which the robot is held, or there already, or has no room on its way, and does nothing."""
-        yield from (wait for visit in self.visits if (wait := _waits_for_room(visit)) is not None)
+        yield from (wait for visit in self.visits for wait in self._waits_for_room(visit))
         begun: set[int] = set()
         before: ScheduledAction | None = None
         for one in self.done:
@@ -188,6 +188,16 @@ class _Robot:
             yield from _wait(
                 self.home.robot, self._free_by(self.home.start_s), self.home.start_s, "for room on the way home"
             )
+
+    def _waits_for_room(self, visit: Visit) -> Iterator[Stretch]:
+        """The wait for others at a charger, to which the robot has come, or where it is already."""
+        one, leg = visit.recharge, visit.recharge.leg
+        yield from _wait(
+            one.robot,
+            self._free_by(one.start_s) if leg is None else leg.end_s,
+            one.start_s,
+            f"for room at {visit.label}",
+        )
 
     def _stands_by(self, leaf: int) -> bool:
         """Whether a robot that need not travel for an action waits where it is done, for its time to come, for room, or to take over."""
@@ -225,17 +235,6 @@ def _way_to(visit: Visit, lit: bool) -> Stretch:
     assert leg is not None
     title = f"on the way to charger {visit.label}\n{leg.robot}, {exact(leg.start_s)} to {exact(leg.end_s)}\n{_distance(leg)}"
     return Stretch(leg.start_s, leg.end_s, f"{leg.distance_m:,.0f} m" if leg.distance_m >= 0.5 else "", title, lit)
-
-
-def _waits_for_room(visit: Visit) -> Stretch | None:
-    """The wait for others at a charger; None if there is none."""
-    one, leg = visit.recharge, visit.recharge.leg
-    if leg is None or ms(leg.end_s) >= ms(one.start_s):
-        return None
-    reason = f"for room at {visit.label}"
-    return Stretch(
-        leg.end_s, one.start_s, reason, f"{one.robot} waits, {exact(leg.end_s)} to {exact(one.start_s)}\n{reason}"
-    )
 
 
 def _way_home(leg: OwnLeg, lit: bool) -> Stretch:
