@@ -19,6 +19,7 @@ from missiontree.formats.importers.fjsp import looks_like_shop, shop_of
 from missiontree.formats.importers.instance_plan import plan_of_coalitions, plan_of_tree
 from missiontree.formats.importers.instance_schedule import schedule_of
 from missiontree.formats.importers.tree_json import columns_of, looks_like_tree
+from missiontree.formats.place import found
 from missiontree.formats.reader import parse
 from missiontree.formats.source import load_text
 from missiontree.mission.coalitions import CoalitionMission, CoalitionSchedule
@@ -76,12 +77,15 @@ def read_recognised(file: Path) -> Recognised:
         raise InputError("the file is empty", file=str(file), accepted=ACCEPTED)
     if looks_like_shop(text):
         return Recognised("flexible job shop", shop_of(text, str(file)))
+    if all(line.lstrip().startswith("#") for line in text.splitlines() if line.strip()):
+        raise InputError("the file holds nothing but comments", file=str(file), accepted=ACCEPTED)
     parsed = parse(text, str(file))
     if looks_like_coalitions(parsed.data):
         return Recognised("mission of coalitions", coalitions_of(parsed))
     if looks_like_tree(parsed.data):
         return Recognised("tree in columns", columns_of(parsed))
-    raise InputError("this is no instance of a form that is known here", file=str(file), accepted=ACCEPTED)
+    message = f"this is no instance of a form that is known here, but {found(parsed.data)}"
+    raise InputError(message, file=str(file), line=1, accepted=ACCEPTED)
 
 
 def plan_of_instance(instance: Instance, schedule: TreeSchedule | CoalitionSchedule, title: str) -> Plan:

@@ -76,12 +76,14 @@ def test_what_cannot_be_done_and_what_is_no_instance_have_their_codes(shell: She
     assert (ran.code, "Cannot be done, infeasible, proven by selection" in ran.out) == (1, True)
     other = shell("schedule", written(tmp_path, "other.json", '{"a": 1}'))
     assert other.code == 2
-    assert "this is no instance of a form that is known here" in other.err
+    assert "other.json:1: this is no instance of a form that is known here, but a mapping with the keys 'a'" in other.err
     for name in ("empty.txt", "empty.json"):
         empty = shell("schedule", written(tmp_path, name, " \n"))
         assert empty.code == 2
         assert f"{name}: the file is empty" in empty.err
         assert "a flexible job shop (text)" in empty.err
+    silent = shell("schedule", written(tmp_path, "silent.txt", "# nothing\n\n"))
+    assert (silent.code, "silent.txt: the file holds nothing but comments" in silent.err) == (2, True)
     bad = shell("schedule", written(tmp_path, "bad.txt", "1 1\n1 1 5 5\n"))
     assert bad.code == 2
     assert "bad.txt:2" in bad.err

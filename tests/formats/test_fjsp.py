@@ -47,6 +47,32 @@ def test_a_file_is_known_by_its_first_line() -> None:
     assert looks_like_shop("10 6 2.0\n")
     assert not looks_like_shop('{"kind": [0]}')
     assert not looks_like_shop("mission: 3 4\n")
+    assert not looks_like_shop("- 1\n- 2\n")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        TWO_JOBS.replace("\n", "\r\n"),
+        TWO_JOBS.replace("\n", "\r"),
+        "\ufeff" + TWO_JOBS,
+        "\ufeff# a comment\r\n\r\n" + TWO_JOBS,
+        TWO_JOBS.replace("\n", "  # what follows is no number\n"),
+    ],
+)
+def test_line_ends_marks_and_comments_of_every_kind_are_read(text: str) -> None:
+    assert looks_like_shop(text)
+    assert shop_of(text) == shop_of(TWO_JOBS)
+
+
+@pytest.mark.parametrize("head", ["1", "1 1 1 1", "-1 2", "3, 2", "3 2 1,5", "2 two"])
+def test_a_file_that_begins_with_a_number_is_refused_as_a_job_shop(head: str) -> None:
+    text = f"# a comment\n{head}\n1 1 0 5\n"
+    assert looks_like_shop(text)
+    with pytest.raises(InputError) as refused:
+        shop_of(text, "shop.txt")
+    assert (refused.value.line, f"the first line reads {head!r}" in str(refused.value)) == (2, True)
+    assert "the numbers of jobs and of machines" in str(refused.value)
 
 
 CLASSIC = "2 3\n0 3 1 4 2 5\n2 1 0 2 1 6\n"

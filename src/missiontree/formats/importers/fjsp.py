@@ -3,7 +3,7 @@ Job shops as trees in columns: flexible ones in the form of Brandimarte's instan
 
 Line 1: how many jobs and how many machines; a third number, the machines per operation on average, may follow. Then a line per job: how
 many operations, and for each operation how many machines are able, and a machine and a time for each of these. Machines are numbered
-from 0 or from 1: from 1 if one has the number of machines as its number. Empty lines and lines that begin with # do not count.
+from 0 or from 1: from 1 if one has the number of machines as its number. Empty lines do not count, and neither does what follows a #.
 
 A job becomes an AND of operations, each before the next; an operation an XOR over the machines able to do it; a machine a robot, which
 does one thing at a time.
@@ -29,11 +29,12 @@ FORM = "the number of operations, then for each: how many machines are able, and
 CLASSIC_FORM = "machine and time in turn, every machine once, numbered from 0 or from 1"
 _NUMBER = re.compile(r"\d{1,18}").fullmatch
 _DECIMAL = re.compile(r"\d{1,18}(\.\d*)?").fullmatch
-_HEAD = re.compile(r"(\s*#[^\n]*\n)*\s*\d+[ \t]+\d+([ \t]+\d+(\.\d*)?)?[ \t]*(\r?\n|$)").match
+_HEAD = re.compile(r"\ufeff?(\s*#[^\r\n]*[\r\n])*\s*-?\d").match
+_LINE_END = re.compile(r"\r\n|\r|\n")
 
 
 def looks_like_shop(text: str) -> bool:
-    """Whether this is meant to be a file of this form: its first line that is no comment is two or three numbers."""
+    """Whether this is meant to be a file of this form: its first line that is no comment begins with a number."""
     return _HEAD(text) is not None
 
 
@@ -84,9 +85,8 @@ def shop_of(text: str, source: str = "<text>") -> TreeColumns:
 
 
 def _lines(text: str) -> Iterator[tuple[int, list[str]]]:
-    for number, line in enumerate(text.split("\n"), start=1):
-        words = line.split()
-        if words and not words[0].startswith("#"):
+    for number, line in enumerate(_LINE_END.split(text), start=1):
+        if words := line.partition("#")[0].split():
             yield number, words
 
 
