@@ -76,7 +76,9 @@ def test_what_cannot_be_done_and_what_is_no_instance_have_their_codes(shell: She
     assert (ran.code, "Cannot be done, infeasible, proven by selection" in ran.out) == (1, True)
     other = shell("schedule", written(tmp_path, "other.json", '{"a": 1}'))
     assert other.code == 2
-    assert "other.json:1: this is no instance of a form that is known here, but a mapping with the keys 'a'" in other.err
+    assert (
+        "other.json:1: this is no instance of a form that is known here, but a mapping with the keys 'a'" in other.err
+    )
     for name in ("empty.txt", "empty.json"):
         empty = shell("schedule", written(tmp_path, name, " \n"))
         assert empty.code == 2

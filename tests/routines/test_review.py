@@ -5,10 +5,13 @@ from __future__ import annotations
 import pytest
 
 from missiontree.mission.area import Area
+from missiontree.mission.charger import Charger
 from missiontree.mission.entity import Entity
+from missiontree.mission.fleet import Fleet, RobotType
 from missiontree.mission.position import Position
 from missiontree.mission.scene import Scene
 from missiontree.mission.tree import Link, MissionNode, MissionTree
+from missiontree.routines.review import idle_chargers
 from tests.builders import (
     flat_tree,
     grounding_of,
@@ -77,3 +80,33 @@ def test_assumed_and_unknown_positions_are_stated_once_each() -> None:
         ("position_unknown", "lost"),
     ]
     assert "(2, 1)" in told[1].message  # the middle of the area
+
+
+@pytest.mark.parametrize(
+    ("stock", "types", "hint"),
+    [
+        ("energi_j", None, "Did you mean 'energy_j'?"),
+        ("water_l", None, "State how much is full as limit water_l of a type."),
+        ("energy_j", ("cart",), "State how much is full as limit energy_j of a type."),
+        ("energy_j", None, ""),
+    ],
+)
+def test_a_charger_of_which_nobody_has_a_use_is_a_finding(stock: str, types: tuple[str, ...] | None, hint: str) -> None:
+    """The drone has a limit of energy, the cart has none."""
+    fleet = Fleet(
+        (
+            RobotType(id="drone", count=1, capabilities={"camera": 1.0}, limits={"energy_j": 9.0}),
+            RobotType(id="cart", count=1, capabilities={"camera": 1.0}),
+        )
+    )
+    plug = Charger(id="plug", label="Big Plug", position=Position(0, 0), rate_per_s=1, stock=stock, types=types)
+    found = idle_chargers(fleet, Scene(chargers=(plug,)))
+    assert [(one.rule, one.severity, one.node, one.hint) for one in found] == (
+        [("charger_idle", "warning", "plug", hint)] if hint else []
+    )
+
+
+def test_a_plan_tells_of_an_idle_charger() -> None:
+    plug = Charger(id="plug", position=Position(0, 0), rate_per_s=1, stock="energi_j")
+    search = flat_tree(routine_node("s", "Search", agent="x"), entities=people("x"))
+    assert [one.rule for one in grounding_of(search, scene=Scene(chargers=(plug,))).findings] == ["charger_idle"]

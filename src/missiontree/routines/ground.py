@@ -21,7 +21,7 @@ from missiontree.routines.expansion import Expansion
 from missiontree.routines.good_enough import good_enough
 from missiontree.routines.open_ended import pointless_until
 from missiontree.routines.order import RoutineOrder, order_moved
-from missiontree.routines.review import assumed_positions, lost_entities, never_binding
+from missiontree.routines.review import assumed_positions, idle_chargers, lost_entities, never_binding
 
 
 def ground(tree: MissionTree, brief: MissionBrief, estimator: Estimator | None = None) -> Grounding:
@@ -77,6 +77,7 @@ def ground(tree: MissionTree, brief: MissionBrief, estimator: Estimator | None =
         findings=(
             *never_binding(tree, order.selection),
             *(lost_entities(tree, calls, order, world) if brief.scene is not None else ()),
+            *idle_chargers(brief.fleet, world),
         ),
         estimates=_answers(brief, asked),
     )

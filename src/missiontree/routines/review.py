@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from difflib import get_close_matches
 
+from missiontree.mission.fleet import Fleet
 from missiontree.mission.position import Position
 from missiontree.mission.reason import Reason
 from missiontree.mission.scene import Scene
@@ -90,6 +92,31 @@ def assumed_positions(calls: Mapping[str, Call], world: Scene, has_scene: bool) 
                 )
             )
     return assumed
+
+
+def idle_chargers(fleet: Fleet, world: Scene) -> list[Reason]:
+    """Chargers that refill what no robot that may use them has a limit of, so that nobody ever refills there."""
+    findings: list[Reason] = []
+    for charger in world.chargers:
+        served = [kind for kind in fleet.types if charger.serves(kind.id)]
+        known = list(dict.fromkeys(limit for kind in served for limit in kind.limits))
+        if charger.stock in known:
+            continue
+        near = get_close_matches(charger.stock, known, n=1)
+        findings.append(
+            Reason(
+                rule="charger_idle",
+                severity="warning",
+                message=f"Nobody refills at {charger.label}: no robot type that may has a limit of {charger.stock}.",
+                node=charger.id,
+                found=charger.stock,
+                needed=", ".join(known) or "a limit of a robot type",
+                hint=f"Did you mean {near[0]!r}?"
+                if near
+                else f"State how much is full as limit {charger.stock} of a type.",
+            )
+        )
+    return findings
 
 
 def _shown(position: Position) -> str:
