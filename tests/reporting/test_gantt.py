@@ -148,6 +148,21 @@ def test_arrows_go_between_robots_and_not_along_a_row() -> None:
     drawn = [path.get("class") for path in root.findall(f"{SVG}path")]
     assert drawn.count("mt-critical mt-fill") == 1
     assert drawn.count("mt-link mt-fill") == 1
+    assert {"comes first", "where it goes on"} <= {one.text for one in words_in(root)}
+
+
+def test_a_chain_of_one_robot_needs_no_sign_for_going_on() -> None:
+    plan = planned(mission([Part("A", "a", [work(9), work(9)])]), Fleet((robots("a"),)))
+    assert "where it goes on" not in all_words(gantt_svg(plan, 1))
+
+
+@pytest.mark.parametrize(("action", "times"), [("Weld", 1), ("Weld it", 0)])
+def test_a_role_that_its_one_action_says_has_no_caption_of_its_own(action: str, times: int) -> None:
+    """The role Weld is written over an action of other words, and not over one of the same, which stands in its bar."""
+    instance = worded(mission([Part("Weld", "a", [work(20)])]), [action])
+    words = all_words(gantt_svg(planned(instance, Fleet((robots("a"),))), 1))
+    assert (words.count("Weld"), words.count(action)) == (1, 1)
+    assert len([word for word in words if word.startswith("Weld")]) == 2 - times
 
 
 def test_arrows_of_one_moment_that_go_up_and_down_stand_side_by_side() -> None:

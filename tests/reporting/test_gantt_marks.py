@@ -156,6 +156,21 @@ def test_times_in_the_list_are_in_the_unit_of_the_axis_and_moves_tell_their_metr
     assert "A long report to everybody who listens (10:00 to 10:05 min)" in words
 
 
+def test_the_list_says_who_hands_over_to_whom() -> None:
+    """The first second of B, 601 to 602 s, is too short for words, and the next action follows at once."""
+    parts = [
+        Part("A", "a", [work(600), work(1, at="p")]),
+        Part("B", "b", [work(1, at="p"), work(600)]),
+    ]
+    instance = worded(
+        mission(parts, [("A", "B", "hand_over")]),
+        ["Bring the crate", "Put it down for whoever comes", "Take it up from whoever came"],
+    )
+    fleet = Fleet((robots("a"), robots("b")))
+    words = {one.text for one in words_in(parsed(gantt_svg(planned(instance, fleet, scene(p=0)), 1)))}
+    assert "Take it up from whoever came (10:01 to 10:02 min), takes over from a-1" in words
+
+
 def test_a_flag_stands_at_each_deadline_that_the_axis_reaches() -> None:
     """A, 20 s, by 25 s, and B, 40 s, by 90 s, which is after the end; the legend has a flag of its own."""
     instance = mission([Part("A", "a", [work(20)]), Part("B", "b", [work(40)])]).timed(

@@ -140,13 +140,15 @@ class Letterer:
         return self.density.bar + 11.0
 
     def _captions(self, row: Row) -> Iterator[Word]:
-        """What the roles are called, over their bars, as far as there is room up to the next one."""
+        """What the roles are called, over their bars, as far as there is room up to the next one; not what a bar says by itself."""
         if not self.density.caption:
             return
         size = self.density.caption_size
-        spans = [self.scale.span(role.start_s, role.end_s) for role in row.roles]
+        said = {(bar.label, bar.start_s, bar.end_s) for bar in row.bars}
+        roles = [role for role in row.roles if (role.label, role.start_s, role.end_s) not in said]
+        spans = [self.scale.span(role.start_s, role.end_s) for role in roles]
         low = self.scale.left
-        for at, (role, (start, end)) in enumerate(zip(row.roles, spans, strict=True)):
+        for at, (role, (start, end)) in enumerate(zip(roles, spans, strict=True)):
             high = spans[at + 1][0] - GAP if at + 1 < len(spans) else self.scale.right - GAP
             width = text_width(role.label, size) + 0.5
             left = max(low, min(start + INSET, high - width))  # if need be it begins before its role

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from missiontree.reporting.gantt.away import away_sign
@@ -30,15 +30,14 @@ class Block(NamedTuple):
     height: float
 
 
-def notes(numbered: Sequence[tuple[int, Bar]], makespan_s: float, top: float, width: float) -> Block:
-    """The list of numbered actions with their times in the unit of the axis, in columns, read downwards."""
+def notes(
+    numbered: Sequence[tuple[int, Bar]], makespan_s: float, handing: Mapping[int, str], top: float, width: float
+) -> Block:
+    """The list of numbered actions with their times in the unit of the axis, and who hands over to whom, in columns, read downwards."""
     if not numbered:
         return Block((), 0.0)
     digits = text_width(str(numbered[-1][0]), SIZE) * BOLD
-    entries = [
-        (str(number), bar.label, f"{f' · {bar.way}' if bar.way else ''} ({span(bar.start_s, bar.end_s, makespan_s)})")
-        for number, bar in numbered
-    ]
+    entries = [(str(number), bar.label, "".join(_more(bar, makespan_s, handing))) for number, bar in numbered]
     low, high = _COLUMN
     widest = max(digits + 8 + text_width(label + when, SIZE) for _, label, when in entries)
     wide = min(max(low, widest), high, width - 2 * MARGIN)
@@ -51,6 +50,15 @@ def notes(numbered: Sequence[tuple[int, Bar]], makespan_s: float, top: float, wi
         short = wrapped(label, SIZE, wide - digits - 7.5 - text_width(when, SIZE), 1)[0]
         lines.append(text(x + digits + 8, y, short + when, size=SIZE))
     return Block(lines, LINE * rows + 8)
+
+
+def _more(bar: Bar, makespan_s: float, handing: Mapping[int, str]) -> Iterator[str]:
+    """What the list says of an action beside its words."""
+    if bar.way:
+        yield f" · {bar.way}"
+    yield f" ({span(bar.start_s, bar.end_s, makespan_s)})"
+    if bar.leaf in handing:
+        yield f", {handing[bar.leaf]}"
 
 
 def remarks(said: Sequence[str], top: float, width: float) -> Block:
@@ -124,6 +132,8 @@ def _signs(content: Content, rows: Sequence[Row], prefix: str, *, arrows: bool) 
         yield _JOINT, "done together"
     if content.chain:
         yield _OUTLINE + diamonds([(7, 3)]), "the critical chain: any delay of it delays the end"
+    if any(order.lit for order in content.orders):
+        yield _arrow(INK, 2.4, "mt-critical"), "where it goes on"
 
 
 _JOINT = (

@@ -171,7 +171,7 @@ class Chart:
         said = [*idle_words(self.content.idle), *(f"{words[0].upper()}{words[1:]}." for words in self.said)]
         if quiet > MAX_ARROWS:
             said.append(f"{quiet:,} arrows that tell what comes first are left out.")
-        numbered = notes(self.numbered, self.content.makespan_s, top, self.width)
+        numbered = notes(self.numbered, self.content.makespan_s, self.content.handing, top, self.width)
         remarked = remarks(said, top + numbered.height, self.width)
         top += numbered.height + remarked.height
         signs = legend(self.content, self.rows, top, self.width, self.prefix, arrows=0 < quiet <= MAX_ARROWS)
