@@ -188,3 +188,10 @@ def test_a_bound_is_told_in_the_unit_of_the_makespan(shell: Shell, tmp_path: Pat
     file = written(tmp_path, "shop.txt", "3 2\n" + "1 2 0 400 1 400\n" * 3)
     ran = shell("schedule", file, "--no-solver", "--time-limit", "1")
     assert "Makespan 800 s, feasible; none is below 600 s (gap 25 %)" in ran.out
+
+
+def test_what_takes_no_time_has_nobody_busy_and_no_chain(shell: Shell, tmp_path: Path) -> None:
+    ran = shell("schedule", written(tmp_path, "zero.txt", "1 1\n1 1 0 0\n"), "--why-so-long")
+    assert "Makespan 0 s, optimal" in ran.out
+    assert "Why it takes" not in ran.out
+    assert "busy s" not in ran.out

@@ -99,7 +99,8 @@ def _sections(told: Told) -> Iterator[RenderableType]:
     if isinstance(told.instance, CoalitionMission) and told.instance.reference_s is not None:
         yield Text(f"Published for this instance: {told.instance.reference_s:.3f} s.")
     deeds = deeds_of(told)
-    yield Padding(_robots(deeds, schedule.makespan_s), (0, 0, 0, 2), expand=False)
+    if schedule.makespan_s:
+        yield Padding(_robots(deeds, schedule.makespan_s), (0, 0, 0, 2), expand=False)
     if len(deeds) <= MOST_ACTIONS:
         yield Padding(_actions(deeds), (0, 0, 0, 2), expand=False)
     else:
@@ -193,8 +194,8 @@ def _table(*columns: str, left: tuple[str, ...]) -> Table:
 
 
 def _why(told: Told) -> Iterator[RenderableType] | None:
-    """Why it takes so long; None of a schedule that is too large to be looked at in passing."""
-    if told.plan is None:
+    """Why it takes so long; None of a schedule that takes no time, or is too large to be looked at in passing."""
+    if told.plan is None or not told.schedule.makespan_s:
         return None
     schedule = told.plan.schedules[0]
     if told.why is not None:
