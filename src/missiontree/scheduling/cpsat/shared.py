@@ -37,10 +37,11 @@ def add_sharing(model: Model, problem: Problem, times: Times) -> None:
 
 def _keep_instants_out(model: Model, problem: Problem, times: Times, name: str) -> None:
     """
-    What takes no time asks for its places, too, of those that others have left who hold them before it and go on to.
+    Keep what takes no time out of a resource that is full.
 
-    Among intervals it counts nothing, unless they may not overlap at all. At one moment with their starts or ends it comes before or
-    after them.
+    An interval of no length is no load to the solver where several have room, so that it could pass a lift that others fill. Of every such
+    holder, each other one starts at its moment or later, or has ended by it, or is inside around it; the places of those who are inside,
+    and its own, are no more than there are.
     """
     holders, capacity = problem.sharing.holders(name), problem.sharing.capacity[name]
     for one, robots in holders.items():
