@@ -162,6 +162,7 @@ def test_the_whole_chain_and_what_would_shorten_it_are_told_where_asked(shell: S
             "method": "critical_path",
         }
     ]
+    assert chain["untried"] == ""
     assert "additions" not in json.loads(shell("schedule", file, "--json").out)["critical_chain"]
 
 

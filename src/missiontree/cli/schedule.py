@@ -102,7 +102,7 @@ def command(
 
 
 def _length(plan: Plan, instance: Instance, control: Control, time_limit_s: float, *, solver: bool) -> WhySoLong:
-    """Why it is so long; what would shorten it is tried for as long as the schedule was, but no longer than that is waited for."""
+    """Why it is so long, and what would shorten it, which may take as long again, and 20 s at most."""
     from missiontree.explaining.instance_length import instance_length
     from missiontree.mission.control import Control
 

@@ -1,11 +1,16 @@
-"""A fleet with more robots, copies of those that it has; and a scene with more room at a shared resource."""
+"""A fleet with more robots, copies of those that it has; and a scene with more room at a shared resource or a charger."""
 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TypeVar
 
+from missiontree.mission.charger import Charger
 from missiontree.mission.fleet import Fleet, Robot, RobotType
 from missiontree.mission.scene import Scene
+from missiontree.mission.shared_resource import SharedResource
+
+_Shared = TypeVar("_Shared", SharedResource, Charger)
 
 
 def with_more(fleet: Fleet, type_id: str, count: int = 1, like: str | None = None) -> Fleet:
@@ -43,13 +48,7 @@ def with_room(scene: Scene, resource_id: str, places: int = 1) -> Scene:
     ValueError
         If the scene has no such resource.
     """
-    if all(resource.id != resource_id for resource in scene.resources):
-        raise ValueError(f"the scene has no shared resource {resource_id!r}.")
-    resources = tuple(
-        replace(resource, capacity=resource.capacity + places) if resource.id == resource_id else resource
-        for resource in scene.resources
-    )
-    return replace(scene, resources=resources)
+    return replace(scene, resources=_roomier(scene.resources, resource_id, places, "shared resource"))
 
 
 def with_plugs(scene: Scene, charger_id: str, robots: int = 1) -> Scene:
@@ -61,13 +60,14 @@ def with_plugs(scene: Scene, charger_id: str, robots: int = 1) -> Scene:
     ValueError
         If the scene has no such charger.
     """
-    if all(charger.id != charger_id for charger in scene.chargers):
-        raise ValueError(f"the scene has no charger {charger_id!r}.")
-    chargers = tuple(
-        replace(charger, capacity=charger.capacity + robots) if charger.id == charger_id else charger
-        for charger in scene.chargers
-    )
-    return replace(scene, chargers=chargers)
+    return replace(scene, chargers=_roomier(scene.chargers, charger_id, robots, "charger"))
+
+
+def _roomier(shared: tuple[_Shared, ...], name: str, places: int, what: str) -> tuple[_Shared, ...]:
+    """All of them, one with more room."""
+    if all(one.id != name for one in shared):
+        raise ValueError(f"the scene has no {what} {name!r}.")
+    return tuple(replace(one, capacity=one.capacity + places) if one.id == name else one for one in shared)
 
 
 def _larger(kind: RobotType, count: int, like: str | None, fleet: Fleet) -> RobotType:

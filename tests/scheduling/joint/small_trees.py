@@ -8,6 +8,7 @@ from random import Random
 
 from missiontree.mission.columns import AND, LEAF, XOR, TreeColumns
 from missiontree.mission.precedence import EventGraph
+from missiontree.scheduling.joint.problem import JointProblem
 
 
 def columns(
@@ -55,6 +56,14 @@ def drawn(seed: int, leaves: int = 8) -> TreeColumns:
                 pairs.append(pair)
     count = [luck.randint(1, 2) for _ in range(robots)] if luck.random() < 0.3 else None
     return columns(kind, parent, robot, duration, pairs, robots, count)
+
+
+def chosen_by_chance(problem: JointProblem, luck: Random) -> dict[int, int] | None:
+    """A child of every XOR; None if one has none."""
+    xors = [node for node, kind in enumerate(problem.kind) if kind == XOR]
+    if not all(problem.children[node] for node in xors):
+        return None
+    return {node: luck.choice(problem.children[node]) for node in xors}
 
 
 def _nested(parent: Sequence[int], one: int, other: int) -> bool:

@@ -12,14 +12,14 @@ from missiontree.checking.columns import check_tree
 from missiontree.formats.importers.tree_json import columns_of
 from missiontree.formats.reader import parse
 from missiontree.mission.certificate import Certificate
-from missiontree.mission.columns import LEAF, XOR, TreeColumns
+from missiontree.mission.columns import LEAF, TreeColumns
 from missiontree.mission.control import Control
 from missiontree.mission.tree_schedule import TreeSchedule
 from missiontree.scheduling.joint.dispatching import dispatched
 from missiontree.scheduling.joint.joint import schedule_tree
 from missiontree.scheduling.joint.listing import Listed
 from missiontree.scheduling.joint.problem import problem_of
-from tests.scheduling.joint.small_trees import drawn
+from tests.scheduling.joint.small_trees import chosen_by_chance, drawn
 
 
 def in_columns(tasks: int, types: int, robots: int, seed: int) -> TreeColumns:
@@ -39,9 +39,9 @@ def test_what_is_dispatched_passes_the_checker_whatever_is_chosen_and_urgent() -
     for seed in range(300):
         tree, luck = drawn(seed), Random(seed)  # noqa: S311 - luck for tests, not for secrets
         problem = problem_of(tree)
-        if any(kind == XOR and not below for kind, below in zip(problem.kind, problem.children, strict=True)):
+        chosen = chosen_by_chance(problem, luck)
+        if chosen is None:
             continue
-        chosen = {node: luck.choice(below) for node, below in enumerate(problem.children) if problem.kind[node] == XOR}
         found = dispatched(problem, [luck.random() for _ in problem.kind], chosen)
         assert faults(tree, found) == ()
         made += 1

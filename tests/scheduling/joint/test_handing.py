@@ -6,14 +6,14 @@ from random import Random
 
 from missiontree.checking.columns import check_tree
 from missiontree.mission.certificate import Certificate
-from missiontree.mission.columns import AND, LEAF, XOR, TreeColumns
+from missiontree.mission.columns import AND, LEAF, TreeColumns
 from missiontree.mission.tree_schedule import TreeSchedule
 from missiontree.scheduling.joint.dispatching import dispatched
 from missiontree.scheduling.joint.handing import handed_out
 from missiontree.scheduling.joint.listing import Listed
 from missiontree.scheduling.joint.paths import paths_of
 from missiontree.scheduling.joint.problem import JointProblem, problem_of
-from tests.scheduling.joint.small_trees import columns, drawn
+from tests.scheduling.joint.small_trees import chosen_by_chance, columns, drawn
 
 
 def sound(tree: TreeColumns, found: Listed) -> bool:
@@ -49,9 +49,9 @@ def test_nothing_is_later_than_it_was_and_every_wait_has_a_reason() -> None:
     for seed in range(300):
         tree, luck = drawn(seed), Random(seed)  # noqa: S311 - luck for tests, not for secrets
         problem = problem_of(tree)
-        if any(kind == XOR and not below for kind, below in zip(problem.kind, problem.children, strict=True)):
+        chosen = chosen_by_chance(problem, luck)
+        if chosen is None:
             continue
-        chosen = {node: luck.choice(below) for node, below in enumerate(problem.children) if problem.kind[node] == XOR}
         given = _with_pauses(dispatched(problem, [luck.random() for _ in problem.kind], chosen), problem, luck)
         found = handed_out(problem, paths_of(problem), given.chosen, given.start)
         assert sound(tree, given)
